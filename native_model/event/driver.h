@@ -49,6 +49,12 @@ class EventIntegrator {
   double now() const { return motion_.t; }           // s
   double stretch_end() const { return ahead_.end; }  // s
   bool ends_in_event() const { return ahead_.event.has_value(); }
+  // The contact whose event ends the stretch; empty if there is none.
+  std::optional<std::size_t> event_contact() const {
+    return ahead_.event ? std::optional(ahead_.event->contact) : std::nullopt;
+  }
+  // The states of the contacts at the present time, and within the next stretch.
+  const Phase& phase() const { return phase_; }
   // The state at a time within the stretch, before the event at its end; the present state. Both
   // are valid until the next call.
   Snapshot within(double t);

@@ -1,0 +1,170 @@
+#include "native_model/periodic/continuation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <optional>
+
+#include "native_model/periodic/branch_corrector.h"
+
+namespace rotorub::periodic {
+namespace {
+
+constexpr int kMostRefinements = 40;
+constexpr double kRefined = 1e-11;      // of the arclength between two points
+constexpr double kZero = 1e-11;         // of a test function
+constexpr double kGrazingWidth = 1e-6;  // of the arclength between two points
+constexpr double kReal = 1e-9;          // relative; smaller imaginary parts count as 0
+
+constexpr double kOnCircle = 1e-7;  // multipliers of undamped motions stay on the circle
+
+using Complex = std::complex<double>;
+
+bool is_real(const Complex& m) { return std::abs(m.imag()) <= kReal * std::abs(m); }
+
+bool is_of(PointKind kind, const Complex& m) {
+  if (kind == PointKind::kTorus) return !is_real(m);
+  return is_real(m) && (m.real() < 0.0) == (kind == PointKind::kPeriodDoubling);
+}
+
+// The number of multipliers of a kind outside the unit circle.
+int unstable(PointKind kind, const CorrectedPoint& at) {
+  return static_cast<int>(std::ranges::count_if(at.point.motion.multipliers, [&](const Complex& m) {
+    return is_of(kind, m) && std::abs(m) > 1.0 + kOnCircle;
+  }));
+}
+
+// Zero at a point of this kind: dp/ds, or |m| - 1 of the multiplier next to the unit circle.
+std::optional<double> test_of(PointKind kind, const CorrectedPoint& at) {
+  if (kind == PointKind::kFold) return at.tangent.parameter;
+  std::optional<double> nearest;
+  for (const Complex& m : at.point.motion.multipliers) {
+    const double off = std::abs(m) - 1.0;
+    if (is_of(kind, m) && (!nearest || std::abs(off) < std::abs(*nearest))) nearest = off;
+  }
+  return nearest;
+}
+
+// The point of this kind between `from` and the point at the arclength `step` from it, by the
+// Illinois method.
+std::optional<BranchPoint> refined(const BranchCorrector& corrector, PointKind kind,
+                                   const CorrectedPoint& from, const CorrectedPoint& to,
+                                   double step) {
+  auto f_low = test_of(kind, from), f_high = test_of(kind, to);
+  if (!f_low || !f_high || *f_low * *f_high > 0.0) return {};
+  double low = 0.0, high = step, of_low = *f_low, of_high = *f_high;
+  std::optional<BranchPoint> found;
+  for (int i = 0; i < kMostRefinements && high - low > kRefined * step; ++i) {
+    const double at = (low * of_high - high * of_low) / (of_high - of_low);
+    const auto point = corrector.next(from, at);
+    const auto value = point ? test_of(kind, *point) : std::nullopt;
+    if (!value) return {};
+    found = point->point;
+    found->kind = kind;
+    if (std::abs(*value) <= kZero) break;
+    if (*value * of_high < 0.0) {
+      low = high;
+      of_low = of_high;
+    } else {
+      of_low *= 0.5;
+    }
+    high = at;
+    of_high = *value;
+    if (low > high) {
+      std::swap(low, high);
+      std::swap(of_low, of_high);
+    }
+  }
+  return found;
+}
+
+// The last point with the events of `from`, by bisection.
+std::optional<BranchPoint> grazing(const BranchCorrector& corrector, const CorrectedPoint& from,
+                                   double step) {
+  double low = 0.0, high = step;
+  BranchPoint found = from.point;
+  while (high - low > kGrazingWidth * step) {
+    const double middle = 0.5 * (low + high);
+    const auto point = corrector.next(from, middle);
+    if (point && point->events == from.events) {
+      low = middle;
+      found = point->point;
+    } else {
+      high = middle;
+    }
+  }
+  found.kind = PointKind::kGrazing;
+  return found;
+}
+
+void add_special_points(const BranchCorrector& corrector, const CorrectedPoint& from,
+                        const CorrectedPoint& to, double step, std::vector<BranchPoint>& points) {
+  const auto add = [&points](const std::optional<BranchPoint>& point) {
+    if (point) points.push_back(*point);
+  };
+  if (from.events != to.events) add(grazing(corrector, from, step));
+  const bool folds = from.tangent.parameter * to.tangent.parameter < 0.0;
+  if (folds) add(refined(corrector, PointKind::kFold, from, to, step));
+  for (const PointKind kind :
+       {PointKind::kBranching, PointKind::kPeriodDoubling, PointKind::kTorus}) {
+    if (folds && kind == PointKind::kBranching) continue;
+    if (unstable(kind, from) != unstable(kind, to)) add(refined(corrector, kind, from, to, step));
+  }
+}
+
+}  // namespace
+
+const char* to_string(PointKind kind) {
+  switch (kind) {
+    case PointKind::kRegular:
+      return "regular";
+    case PointKind::kFold:
+      return "fold";
+    case PointKind::kBranching:
+      return "branching";
+    case PointKind::kPeriodDoubling:
+      return "period doubling";
+    case PointKind::kTorus:
+      return "torus";
+    case PointKind::kGrazing:
+      return "grazing";
+  }
+  return "";
+}
+
+Branch continue_branch(const std::function<Model(double)>& model_at, double parameter,
+                       const PeriodicMotion& start, const ContinuationParameters& parameters) {
+  Branch branch;
+  const BranchCorrector corrector(model_at, parameter, start, parameters);
+  auto now = corrector.first();
+  if (!now) {
+    branch.end = "the start is not a periodic motion, or has no tangent";
+    return branch;
+  }
+  branch.points.push_back(now->point);
+  const auto inside = [&](double p) { return p >= parameters.lowest && p <= parameters.highest; };
+  double step = parameters.first_step;
+  while (static_cast<int>(branch.points.size()) < parameters.most_points) {
+    const auto next = corrector.next(*now, step);
+    if (!next) {
+      step *= 0.5;
+      if (step >= parameters.least_step) continue;
+      branch.end = "Newton's method does not converge beyond the last point";
+      return branch;
+    }
+    if (!inside(next->point.parameter)) {
+      branch.end = "the parameter leaves its range";
+      return branch;
+    }
+    add_special_points(corrector, *now, *next, step, branch.points);
+    branch.points.push_back(next->point);
+    const int corrections = next->point.motion.iterations;
+    now = next;
+    if (corrections <= 3) step = std::min(1.5 * step, parameters.longest_step);
+    if (corrections >= 6) step *= 0.6;
+  }
+  branch.end = "the largest number of points is reached";
+  return branch;
+}
+
+}  // namespace rotorub::periodic

@@ -1,0 +1,197 @@
+#include "native_model/periodic/guesses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "native_model/event/driver.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/periodic/flow_derivative.h"
+#include "native_model/trajectory/recorder.h"
+
+namespace rotorub::periodic {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+// A return to the start of the model is looked for in this many turns at its whirl speed.
+constexpr double kTurnsWatched = 3.0;
+// Distances of returns to the state, relative to its sizes.
+constexpr double kAboutAsClose = 3.0, kClose = 2e-3;
+constexpr int kHalvings = 40;
+
+struct Arrival {
+  Status status = Status::kOk;
+  std::string message;
+  State state;
+  HeldContacts held;
+};
+
+// The state at `end` (s), with the rigid contacts that last there.
+Arrival advance(const Model& m, const State& start, double end, const EventParameters& parameters) {
+  Recorder recorder(m, {});
+  EventIntegrator run(m, parameters);
+  run.begin(start, end, recorder);
+  while (run.look_ahead()) run.pass();
+  const Snapshot now = run.here();
+  Arrival at{run.result().status, run.result().message, {}, run.phase().rigid_contacts()};
+  at.state.t = run.now();
+  at.state.q = Eigen::Map<const Eigen::VectorXd>(now.q, m.nq());
+  at.state.v = Eigen::Map<const Eigen::VectorXd>(now.v, m.nq());
+  return at;
+}
+
+// rad/s, the largest whirl speed of the relative centres at a state.
+double whirl_speed(const Model& m, const State& at) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < m.auxiliary.size(); ++k) {
+    const ContactPoint p = contact_point(m, at.q.data(), at.v.data(), k);
+    if (p.has_normal) largest = std::max(largest, std::abs(p.whirl_speed()) / p.delta);
+  }
+  return largest;
+}
+
+// s, the time after which a motion comes back closest to its state at `at`, within `longest` (s):
+// it passes the plane through that state, across its velocity, in the same sense. The first of the
+// passes that come about as close as the closest one counts. 0 if there is none.
+double return_time(const Model& m, const State& at, double longest,
+                   const EventParameters& parameters) {
+  const MotionRecord motion = record_motion(m, at, at.t + longest, parameters);
+  if (motion.status != Status::kOk) return 0.0;
+  std::vector<const double*> states{motion.start.data(), motion.end.data()};
+  for (const Stretch& s : motion.stretches) states.push_back(s.y.data());
+  const EssentialState essential(m);
+  const Eigen::VectorXd sizes = EssentialState::sizes(m, states);
+  const auto scaled = [&](const Eigen::VectorXd& y) {
+    return essential.take(y.cwiseQuotient(sizes).eval().data());
+  };
+  const auto away = [&](const std::vector<double>& y) {
+    const Eigen::Map<const Eigen::VectorXd> there(y.data(), sizes.size()),
+        here(motion.start.data(), sizes.size());
+    return scaled(there - here);
+  };
+  FlowDerivative flow(m, sizes, parameters);
+  const Eigen::VectorXd slope = scaled(flow.slope(motion.begin_time, motion.start, motion.first));
+  std::vector<std::pair<double, double>> passes;  // time, distance
+  double closest = kInfinity;
+  for (std::size_t i = 0; i < motion.stretches.size(); ++i) {
+    const Stretch& s = motion.stretches[i];
+    const bool is_last = i + 1 == motion.stretches.size();
+    const std::vector<double>& y_end = s.jump    ? s.jump->before
+                                       : is_last ? motion.end
+                                                 : motion.stretches[i + 1].y;
+    const Eigen::VectorXd begin = away(s.y), end = away(y_end);
+    if (!(slope.dot(begin) < 0.0 && slope.dot(end) >= 0.0)) continue;
+    // Hermite's cubic within the stretch.
+    const Eigen::VectorXd rate_begin = s.length * scaled(flow.slope(s.t, s.y, s.states)),
+                          rate_end = s.length * scaled(flow.slope(s.end(), y_end, s.states));
+    const auto within = [&](double x) -> Eigen::VectorXd {
+      const double z = 1.0 - x;
+      return z * z * (1.0 + 2.0 * x) * begin + x * x * (1.0 + 2.0 * z) * end +
+             x * z * (z * rate_begin - x * rate_end);
+    };
+    double low = 0.0, high = 1.0;
+    for (int k = 0; k < kHalvings; ++k) {
+      const double middle = 0.5 * (low + high);
+      (slope.dot(within(middle)) < 0.0 ? low : high) = middle;
+    }
+    const double distance = within(high).norm();
+    passes.emplace_back(s.t + high * s.length - motion.begin_time, distance);
+    closest = std::min(closest, distance);
+  }
+  for (const auto& [time, distance] : passes) {
+    if (distance <= kAboutAsClose * closest + kClose) return time;
+  }
+  return 0.0;
+}
+
+int closed_contacts(const ContactStates& states) {
+  return static_cast<int>(
+      std::ranges::count_if(states, [](const auto& s) { return s.mode != Mode::kFree; }));
+}
+
+// s, the middle of the longest part of the motion without events, among those with the fewest
+// closed contacts.
+double best_instant(const MotionRecord& motion) {
+  double best = motion.begin_time, longest = -1.0, begin = motion.begin_time;
+  int fewest = kMaxContacts + 1;
+  const auto meet = [&](double end, const ContactStates& states) {
+    const int closed = closed_contacts(states);
+    if (closed < fewest || (closed == fewest && end - begin > longest)) {
+      fewest = closed;
+      longest = end - begin;
+      best = 0.5 * (begin + end);
+    }
+    begin = end;
+  };
+  for (const Stretch& s : motion.stretches) {
+    if (s.jump) meet(s.end(), s.states);
+  }
+  meet(motion.end_time, motion.last);
+  return best;
+}
+
+// Fills in the period, from a state that a motion has at its time. longest: s, see return_time.
+void find_period(const Model& m, int periods, double longest, const EventParameters& parameters,
+                 Guess& guess) {
+  const Forcing forcing = forcing_of(m);
+  if (forcing.period > 0.0) {
+    guess.period = periods * forcing.period;
+  } else if (forcing.turns) {
+    guess.turns = spin_speed(m, guess.start.v.data()) < 0.0 ? -periods : periods;
+    guess.period = guess.turns * kTurn / spin_speed(m, guess.start.v.data());
+  } else {
+    guess.period = periods * return_time(m, guess.start, longest, parameters);
+  }
+}
+
+FoundGuess failed(Status status, const std::string& message) { return {status, message, {}}; }
+
+}  // namespace
+
+FoundGuess guess_at_start(const Model& m, int periods, const EventParameters& parameters) {
+  FoundGuess found;
+  const MotionRecord begun =
+      record_motion(m, initial_state(m), initial_state(m).t + 1e-9, parameters);
+  if (begun.status != Status::kOk) return failed(begun.status, begun.message);
+  found.guess.start = initial_state(m);
+  for (std::size_t k = 0; k < begun.first.size(); ++k) {
+    if (begun.first[k].mode == Mode::kFree || m.auxiliary[k].is_compliant()) continue;
+    found.guess.held.push_back({k, velocity_of(begun.first[k].mode)});
+  }
+  const double pace = whirl_speed(m, found.guess.start);
+  const double turn = pace > 0.0 ? kTurn / pace : 0.0;
+  find_period(m, periods, kTurnsWatched * turn, parameters, found.guess);
+  const bool whirls = forcing_of(m).period == 0.0 && found.guess.turns == 0;
+  if (whirls && !found.guess.held.empty()) found.guess.period = periods * turn;
+  if (!(found.guess.period > 0.0) || !std::isfinite(found.guess.period)) {
+    return failed(Status::kNoSolution, "the start does not whirl, so its period is unknown");
+  }
+  return found;
+}
+
+FoundGuess guess_from_run(const Model& m, double duration, int periods,
+                          const EventParameters& parameters) {
+  const Forcing forcing = forcing_of(m);
+  double end = forcing.settled + duration;
+  if (forcing.period > 0.0) end = std::ceil(end / forcing.period) * forcing.period;
+  Arrival at = advance(m, initial_state(m), end, parameters);
+  if (at.status != Status::kOk) return failed(at.status, at.message);
+  FoundGuess found;
+  found.guess.start = at.state;
+  find_period(m, periods, duration, parameters, found.guess);
+  if (!(found.guess.period > 0.0) || !std::isfinite(found.guess.period)) {
+    return failed(Status::kNoSolution,
+                  "the run does not come back to a state it had, so its period is unknown");
+  }
+  const MotionRecord motion = record_motion(m, at.state, end + found.guess.period, parameters);
+  if (motion.status != Status::kOk) return failed(motion.status, motion.message);
+  at = advance(m, at.state, best_instant(motion), parameters);
+  if (at.status != Status::kOk) return failed(at.status, at.message);
+  found.guess.start = at.state;
+  found.guess.held = at.held;
+  return found;
+}
+
+}  // namespace rotorub::periodic

@@ -1,0 +1,30 @@
+// Starts for the search of periodic motions: the start of the model (on an orbit or a rub, where
+// `prepare` made it so), or where a run settles. The start of a period may be any instant. The best
+// ones lie in the middle of the longest flight of all contacts, because a contact that is closed at
+// the start must be so in every iterate. If nothing depends on time, the period is the time after
+// which the motion comes back, for a whip in contact the time of its whirl.
+#pragma once
+
+#include <string>
+
+#include "native_model/periodic/periodic_motion.h"
+
+namespace rotorub::periodic {
+
+struct FoundGuess {
+  Status status = Status::kOk;
+  std::string message;  // for a status other than kOk
+  Guess guess;
+};
+
+// From the model's start. periods: n of the loads, or turns of the spin, or whirls, in one period
+// of the motion.
+FoundGuess guess_at_start(const Model& model, int periods = 1,
+                          const EventParameters& parameters = {});
+
+// From a run that lasts `duration` (s) after the last load is switched. If nothing depends on time,
+// the run then goes on for as long again, and the period is the time after which it comes back.
+FoundGuess guess_from_run(const Model& model, double duration, int periods = 1,
+                          const EventParameters& parameters = {});
+
+}  // namespace rotorub::periodic

@@ -1,0 +1,51 @@
+#include "native_model/periodic/motion_record.h"
+
+#include "native_model/event/driver.h"
+#include "native_model/trajectory/recorder.h"
+
+namespace rotorub::periodic {
+namespace {
+
+// q and v are stored one after the other.
+std::vector<double> state_of(const Snapshot& at, int nq) {
+  return std::vector<double>(at.q, at.q + 2 * nq);
+}
+
+ContactStates states_of(const Phase& phase) {
+  ContactStates all;
+  for (std::size_t k = 0; k < phase.contacts(); ++k) all.push_back(phase.state(k));
+  return all;
+}
+
+}  // namespace
+
+MotionRecord record_motion(const Model& model, const State& start, double end,
+                           const EventParameters& parameters) {
+  MotionRecord record;
+  Recorder recorder(model, {});
+  EventIntegrator run(model, parameters);
+  run.begin(start, end, recorder);
+  record.begin_time = start.t;
+  record.start = record.end = state_of(run.here(), model.nq());
+  record.first = states_of(run.phase());
+  while (run.look_ahead()) {
+    Stretch stretch{run.now(), run.stretch_end() - run.now(), record.end, states_of(run.phase())};
+    if (const auto contact = run.event_contact()) {
+      stretch.jump = Jump{*contact, state_of(run.within(run.stretch_end()), model.nq()), {}, {}};
+    }
+    run.pass();
+    record.end = state_of(run.here(), model.nq());
+    if (stretch.jump) {
+      stretch.jump->after = record.end;
+      stretch.jump->states = states_of(run.phase());
+    }
+    record.stretches.push_back(std::move(stretch));
+  }
+  record.last = states_of(run.phase());
+  record.end_time = run.now();
+  record.status = run.result().status;
+  record.message = run.result().message;
+  return record;
+}
+
+}  // namespace rotorub::periodic

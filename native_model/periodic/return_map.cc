@@ -1,0 +1,93 @@
+#include "native_model/periodic/return_map.h"
+
+#include <limits>
+#include <numbers>
+
+#include "native_model/numerics/linear_solve.h"
+#include "native_model/periodic/contact_gradients.h"
+
+namespace rotorub::periodic {
+namespace {
+
+Eigen::VectorXd as_vector(const std::vector<double>& y) {
+  return Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size()));
+}
+
+}  // namespace
+
+ReturnMap::ReturnMap(const Model& model, const EventParameters& parameters)
+    : model_(&model), parameters_(parameters), forcing_(forcing_of(model)), essential_(model) {}
+
+Eigen::VectorXd ReturnMap::scaled(const Eigen::VectorXd& y, const Eigen::VectorXd& sizes) const {
+  return essential_.take(y.cwiseQuotient(sizes).eval().data());
+}
+
+Return ReturnMap::at(const State& start, double period, int turns) const {
+  Return to;
+  to.residual = std::numeric_limits<double>::infinity();
+  to.motion = record_motion(*model_, start, start.t + period, parameters_);
+  to.status = to.motion.status;
+  to.message = to.motion.message;
+  std::vector<const double*> states{to.motion.start.data(), to.motion.end.data()};
+  for (const Stretch& s : to.motion.stretches) states.push_back(s.y.data());
+  to.sizes = EssentialState::sizes(*model_, states);
+  if (to.status != Status::kOk) return to;
+  to.change = scaled(as_vector(to.motion.end) - as_vector(to.motion.start), to.sizes);
+  if (const int at = essential_.spin_angle(); at != kAbsent) {
+    to.change[at] -= 2.0 * std::numbers::pi * turns;
+  }
+  if (to.change.allFinite()) to.residual = to.change.cwiseAbs().maxCoeff();
+  return to;
+}
+
+ReturnDerivative ReturnMap::derivative(const Return& point, const HeldContacts& held) const {
+  ReturnDerivative d;
+  const Eigen::Index n = essential_.size();
+  d.basis = Eigen::MatrixXd::Identity(n, n);
+  if (!held.empty()) {
+    const Eigen::MatrixXd rows = constraint_gradients(*model_, point.motion.start, held);
+    Eigen::MatrixXd directions(n, rows.rows());
+    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+      const Eigen::VectorXd scaled_row = rows.row(i).transpose().cwiseProduct(point.sizes);
+      directions.col(i) = essential_.take(scaled_row.data());
+      directions.col(i).normalize();
+    }
+    d.basis = orthogonal_complement(directions);
+  }
+  Eigen::MatrixXd w = Eigen::MatrixXd::Zero(point.sizes.size(), d.basis.cols());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const int at = essential_.entries()[static_cast<std::size_t>(i)];
+    w.row(at) = point.sizes[at] * d.basis.row(i);
+  }
+  FlowDerivative flow(*model_, point.sizes, parameters_);
+  w = flow.along(point.motion, w);
+  d.grazes = flow.grazes();
+  d.image.resize(n, w.cols());
+  for (Eigen::Index j = 0; j < w.cols(); ++j) d.image.col(j) = scaled(w.col(j), point.sizes);
+  const MotionRecord& m = point.motion;
+  d.start_slope = scaled(flow.slope(m.begin_time, m.start, m.first), point.sizes);
+  d.end_slope = scaled(flow.slope(m.end_time, m.end, m.last), point.sizes);
+  return d;
+}
+
+State ReturnMap::moved(const State& from, const Return& point, const Eigen::MatrixXd& basis,
+                       const Eigen::VectorXd& c, const HeldContacts& held) const {
+  const int nq = model_->nq();
+  const Eigen::VectorXd step = basis * c;
+  State to = from;
+  for (Eigen::Index i = 0; i < step.size(); ++i) {
+    const int at = essential_.entries()[static_cast<std::size_t>(i)];
+    double& entry = at < nq ? to.q[at] : to.v[at - nq];
+    entry += point.sizes[at] * step[i];
+  }
+  project(to, held);
+  return to;
+}
+
+void ReturnMap::project(State& state, const HeldContacts& held) const {
+  if (held.empty()) return;
+  Constraint constraint(*model_);
+  constraint.project(state.t, state.q.data(), state.v.data(), held);
+}
+
+}  // namespace rotorub::periodic
