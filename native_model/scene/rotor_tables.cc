@@ -230,7 +230,9 @@ void check_geometry(Reading& check, const RotorGeometry& shaft) {
                                " needs `nu` (in (-1, 0.5]) or `G` (in Pa)");
   }
   if (!sheared && check.given("rotor.shear_coefficient") && check.sound({"rotor.theory"})) {
-    check.fail("rotor.shear_coefficient", "belongs to theory = \"timoshenko\"");
+    check.fail(
+        "rotor.shear_coefficient",
+        "belongs to theory = \"timoshenko\"; remove it, or set rotor.theory = \"timoshenko\"");
   }
 }
 
