@@ -24,8 +24,9 @@ TEST(Ladder, SaysWhichEntryIsWrong) {
   }
   EXPECT_NE(message_of<std::invalid_argument>([] { parse_steps("10us,-1us"); }).find("`-1us`"),
             std::string::npos);
-  EXPECT_NE(message_of<std::invalid_argument>([] { parse_tolerances("1"); }).find("above 0 and below 1"),
-            std::string::npos);
+  EXPECT_NE(
+      message_of<std::invalid_argument>([] { parse_tolerances("1"); }).find("above 0 and below 1"),
+      std::string::npos);
 }
 
 TEST(BenchEngines, AreChosenByNameOrFamily) {

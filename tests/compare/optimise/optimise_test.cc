@@ -188,7 +188,8 @@ TEST_F(Optimise, SaysWhatIsWrong) {
            "algorithm = \"bobyqa\"\n[[optimise.constraint]]\n"
            "figure = \"impacts\"\nmax = 3\n",
        "choose cobyla or direct"},
-      {std::string(kDamping) + goal + "[[optimise.constraint]]\nfigure = \"impacts\"\n", "no limit"},
+      {std::string(kDamping) + goal + "[[optimise.constraint]]\nfigure = \"impacts\"\n",
+       "no limit"},
       {"[[vary]]\nkey = \"contact.friction\"\nvalues = [1, 2]\n" + goal, "needs a range"},
       {"[[vary]]\nkey = \"contact.friction\"\nfrom = 0.1\nto = 0.2\nstart = 0.3\n" + goal,
        "between `from` and `to`"},
