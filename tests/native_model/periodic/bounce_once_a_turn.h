@@ -19,6 +19,10 @@
 
 #include "tests/support/jeffcott.h"
 
+namespace rotorub::periodic {
+inline constexpr double kTurn = 2.0 * std::numbers::pi;  // rad
+}
+
 namespace rotorub::test {
 
 struct BounceOnceATurn {
