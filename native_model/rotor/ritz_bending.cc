@@ -43,13 +43,26 @@ double shear_coefficient(const scene::RotorGeometry& geometry, const ShaftElemen
       cowper_coefficient(nu, element.section.inner_at(z) / element.section.outer_at(z)));
 }
 
+// sum += a u^T u + b v^T v. Only the functions that are not 0 in u or v are visited, which are few:
+// those of one element and the rigid and linear parts of the others.
+void add_squares(double a, const Eigen::RowVectorXd& u, double b, const Eigen::RowVectorXd& v,
+                 Eigen::MatrixXd& sum) {
+  std::vector<Eigen::Index> at;
+  for (Eigen::Index i = 0; i < u.size(); ++i) {
+    if (u[i] != 0.0 || v[i] != 0.0) at.push_back(i);
+  }
+  for (const Eigen::Index j : at) {
+    for (const Eigen::Index i : at) sum(i, j) += a * u[i] * u[j] + b * v[i] * v[j];
+  }
+}
+
 // int u_z'u_z dz: the stiffness by a tension of 1 N.
 Eigen::MatrixXd slope_integral(const BendingBasis& basis) {
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(basis.size(), basis.size());
   for (const ShaftElement& element : basis.mesh()) {
     for_each_point(element, element.functions + 1, [&](double z, double, double weight) {
       const Eigen::RowVectorXd u_z = basis.slope(z);
-      sum += 0.5 * element.length() * weight * u_z.transpose() * u_z;
+      add_squares(0.5 * element.length() * weight, u_z, 0.0, u_z, sum);
     });
   }
   return sum;
@@ -84,8 +97,8 @@ void add_shaft(const scene::RotorGeometry& geometry, RitzBending& ritz) {
       const Eigen::RowVectorXd p = ritz.basis.tilt(z);
       const double mass = geometry.rho * element.area(z) * dz;
       const double tilt = geometry.rho * element.inertia(z) * dz;
-      ritz.mass += mass * u.transpose() * u + tilt * p.transpose() * p;
-      ritz.gyroscopic += 2.0 * tilt * p.transpose() * p;
+      add_squares(mass, u, tilt, p, ritz.mass);
+      add_squares(0.0, u, 2.0 * tilt, p, ritz.gyroscopic);
       ritz.gravity += mass * u.transpose();
     });
   }

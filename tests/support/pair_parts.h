@@ -281,6 +281,16 @@ inline std::vector<Part> pair_parts() {
            {"contact.compression_time=2.1e-4", "contact.expansion_time=1.3e-4"});
   // A compliant contact.
   add_both("giving_contact", "impacts", {"contact.compliance={stiffness=1e9,exponent=1.5}"});
+
+  // The shaft and its bearings once more.
+  add("shear_under_tension", "shear", {"rotor.theory='timoshenko'", "rotor.axial_force=5e3"}, {});
+  // Refused beside internal damping.
+  add("pedestal", "internal_damping",
+      {"rotor.bearing[0].pedestal={mass=3.0,stiffness=[6e6,4e6],damping=[80.0,120.0]}"}, {});
+  add("journal", "film",
+      {"rotor.bearing[2]={z=0.45,offset=[0.0,0.03e-3],journal={diameter=0.018,length=0.009,"
+       "clearance=0.1e-3,viscosity=0.02,load=20.0}}"},
+      {});
   return parts;
 }
 

@@ -126,14 +126,23 @@ class Transformed {
   }
   void bearing(const scene::ShaftBearing& b, const std::string& at) {
     vector(at + "offset", b.offset);
+    if (b.pedestal) {
+      planes(at + "pedestal.stiffness", b.pedestal->stiffness);
+      planes(at + "pedestal.damping", b.pedestal->damping);
+    }
+    if (b.journal) {
+      set(at + "journal.load_angle", text(direction(b.journal->load_angle)));
+      return;
+    }
+    if (b.follows_speed()) {
+      turned_table(at + "table_k", b.table_kxx, b.table_kxy, b.table_kyx, b.table_kyy);
+      turned_table(at + "table_c", b.table_cxx, b.table_cxy, b.table_cyx, b.table_cyy);
+      if (mirrored_) set(at + "table_speed", text(in_order(b.table_speed, -1.0)));
+      return;
+    }
     if (askew_) {
-      if (b.follows_speed()) {
-        turned_table(at + "table_k", b.table_kxx, b.table_kxy, b.table_kyx, b.table_kyy);
-        turned_table(at + "table_c", b.table_cxx, b.table_cxy, b.table_cyx, b.table_cyy);
-      } else {
-        turned(at, "stiffness", b.stiffness, b.cross_stiffness);
-        turned(at, "damping", b.damping, b.cross_damping);
-      }
+      turned(at, "stiffness", b.stiffness, b.cross_stiffness);
+      turned(at, "damping", b.damping, b.cross_damping);
       return;
     }
     planes(at + "stiffness", b.stiffness);
@@ -154,9 +163,9 @@ class Transformed {
     set(at + key, text({turned(0, 0), turned(1, 1)}));
     set(at + "cross_" + key, text({turned(0, 1), turned(1, 0)}));
   }
-  static Eigen::Matrix2d turned_matrix(double xx, double xy, double yx, double yy) {
+  Eigen::Matrix2d turned_matrix(double xx, double xy, double yx, double yy) const {
     Eigen::Matrix2d R, K;
-    R << std::cos(kAngle), -std::sin(kAngle), std::sin(kAngle), std::cos(kAngle);
+    R << of({1.0, 0.0}), of({0.0, 1.0});
     K << xx, xy, yx, yy;
     return R * K * R.transpose();
   }
@@ -174,7 +183,13 @@ class Transformed {
       for (int entry = 0; entry < 4; ++entry) turned[entry].push_back(m(entry / 2, entry % 2));
     }
     const char* names[4] = {"xx", "xy", "yx", "yy"};
-    for (int entry = 0; entry < 4; ++entry) set(at + names[entry], text(turned[entry]));
+    for (int entry = 0; entry < 4; ++entry) set(at + names[entry], text(in_order(turned[entry])));
+  }
+  // Values over the speed, in the order of the speeds of the image.
+  std::vector<double> in_order(std::vector<double> values, double factor = 1.0) const {
+    if (mirrored_) std::reverse(values.begin(), values.end());
+    for (double& value : values) value *= factor;
+    return values;
   }
   void drive(const scene::Drive& drive) {
     number("drive.speed", sense() * drive.speed);

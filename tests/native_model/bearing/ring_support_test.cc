@@ -69,6 +69,22 @@ TEST(SqueezeFilm, CircularOrbits) {
   }
 }
 
+// The damper of ROSS's tests (github.com/petrobras/ross): 5.1 x 0.9 in, 3 mil of clearance, an
+// orbit of half of it at 18,600 rpm; damping and stiffness as force over size and over speed of the
+// orbit.
+TEST(SqueezeFilm, DamperOfRoss) {
+  constexpr double kInch = 0.0254, kOmega = 18600.0 * kPi / 30.0;
+  scene::SqueezeFilm film{2.55 * kInch, 0.9 * kInch, 0.003 * kInch, 0.0279679, true};
+  const Vector2d r(0.5 * film.clearance, 0.0), w(0.0, kOmega * r.x());
+  const Vector2d half = SqueezeFilmLaw(film).force(r, w);
+  EXPECT_NEAR(-half.y() / w.y(), 118284.0, 0.5);
+  EXPECT_NEAR(-half.x() / r.x(), 1.6936e8, 0.00005e8);
+  film.cavitation = false;
+  const Vector2d whole = SqueezeFilmLaw(film).force(r, w);
+  EXPECT_NEAR(-whole.y() / w.y(), 236568.0, 0.5);
+  EXPECT_NEAR(whole.x() / r.x(), 0.0, 1.0);
+}
+
 // ---------------------------------------------------------------- balls
 constexpr scene::BallSupport kBalls{9, 5e9, 10e-6, 0.3};
 

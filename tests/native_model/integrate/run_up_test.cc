@@ -96,6 +96,37 @@ TEST(RunUp, AStrongMotorPasses) {
       << "it was wide at the resonance, and is about m e / m beyond";
 }
 
+// Sommerfeld's effect on a rigid rotor from rest under a constant torque, with the figures of
+// Exudyn's model (github.com/jgerstmayr/EXUDYN): below a watershed the resonance at 28.28 rad/s
+// catches the rotor for ever.
+scene::Scene driven_by(double torque, double end) {
+  scene::Scene s =
+      test::make_scene({.mass = 2.0, .damping = 0.45254834, .stiffness = 1600.0, .clearance = 1.0});
+  s.rotor.modal->inertia = 0.5625;
+  s.drive.emplace();
+  s.drive->kind = scene::DriveKind::kTable;
+  s.drive->table_speed = {0.0, 1000.0};
+  s.drive->table_torque = {torque, torque};
+  scene::Force unbalance;
+  unbalance.kind = scene::ForceKind::kUnbalance;
+  unbalance.static_moment = 2.0 * 1.48e-3;
+  s.forces = {unbalance};
+  s.run.end = end;
+  s.run.output_step = 0.5;
+  return s;
+}
+
+TEST(RunUp, AConstantTorqueIsCaughtBelowItsWatershed) {
+  const auto speed_at = [](double torque, double end) {
+    return run_up(driven_by(torque, end), scene::Integrator::kEvent).column("spin_speed").back();
+  };
+  EXPECT_NEAR(speed_at(0.1, 200.0), 28.088, 1e-3);
+  EXPECT_NEAR(speed_at(0.19, 200.0), 28.256, 1e-3);
+  EXPECT_NEAR(speed_at(0.2, 200.0), 68.471, 1e-3);
+  EXPECT_LT(speed_at(0.19711, 150.0), 30.0);
+  EXPECT_GT(speed_at(0.19713, 150.0), 40.0);
+}
+
 // ---------------------------------------------------------------- a motor's curve
 // The asynchronous motor on its torque-speed curve (the paper's Fig. 6): run_up_kloss from
 // standstill over the breakdown torque to its synchronous speed, then with a rub as its load.

@@ -9,11 +9,14 @@
 #include <vector>
 
 #include "native_model/linear/levitation.h"
+#include "native_model/linear/linear_loop.h"
+#include "native_model/model/linear_parts.h"
 #include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/prepare/prepare.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/jeffcott.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
@@ -225,6 +228,65 @@ TEST(Levitation, SampledLoopHasItsHoldAndDelay) {
     const auto near = std::ranges::count_if(
         all.poles, [&](const Phasor& other) { return relative(other, pole) < 1e-6; });
     EXPECT_EQ(near, 2) << pole;
+  }
+}
+
+// rad/s, sum of the real parts of the poles to the right of the imaginary axis, with all loops
+// open.
+double unstable_poles(Model open, double speed) {
+  for (StationFeedback& f : open.feedbacks) f.law.proportional = f.law.derivative = 0.0;
+  const LinearParts parts = linear_parts(open, speed);
+  const Eigen::Index n = parts.mass.size();
+  const Eigen::MatrixXd inverse = parts.mass.cwiseInverse().asDiagonal();
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  a.topRightCorner(n, n).setIdentity();
+  a.bottomLeftCorner(n, n) = -inverse * parts.stiffness;
+  a.bottomRightCorner(n, n) = -inverse * parts.damping;
+  double sum = 0.0;
+  const std::vector<Phasor> poles = real_eigenvalues(a).value();
+  for (const Phasor& s : poles) sum += std::max(0.0, s.real());
+  return sum;
+}
+
+// Bode's integral over all w > 0 (J. S. Freudenberg, D. P. Looze, "Frequency domain properties of
+// scalar and multivariable feedback systems", 1988): with the open loops L,
+//   int ln |det S| dw = pi (sum of L's unstable poles) - (pi / 2) lim s tr L(s).
+// The limit is 0 if L falls by two orders. Sampled laws work continuously here.
+TEST(Levitation, BodesIntegralOfEveryMagneticScene) {
+  for (const char* name : {"amb_machine", "drop", "relevitation", "touchdown"}) {
+    SCOPED_TRACE(name);
+    scene::Scene s = test::shipped(name);
+    for (scene::MagneticBearing& bearing : s.magnetic_bearings) {
+      if (bearing.control) bearing.control->sample_time = bearing.control->delay = 0.0;
+    }
+    const Model m = prepare(s);
+    const double speed = s.rotor.speed;
+    const LoopResponse response(m, speed);
+    const auto integrand = [&](double w) {
+      return -std::log(std::abs(response.return_difference(w).determinant()));
+    };
+    // Evenly spaced in ln w, closest where the weakly damped modes are; beyond the last frequency
+    // the integrand falls with the square.
+    struct Range {
+      double from, to;  // rad/s
+      int points;
+    };
+    constexpr double kLast = 1e7;
+    double sum = kLast * integrand(kLast);
+    for (const Range& range : {Range{0.1, 1e3, 400}, {1e3, 5e4, 1000}, {5e4, kLast, 150}}) {
+      const double step = std::log(range.to / range.from) / range.points;
+      for (int k = 0; k < range.points; ++k) {
+        const double w = range.from * std::exp((k + 0.5) * step);
+        sum += step * w * integrand(w);
+      }
+    }
+    const Eigen::Index ports = response.ports();
+    const Eigen::MatrixXcd open =
+        response.return_difference(kLast) - Eigen::MatrixXcd::Identity(ports, ports);
+    const double limit = (Phasor(0.0, kLast) * open.trace()).real();
+    const double unstable = std::numbers::pi * unstable_poles(always_working(m), speed);
+    EXPECT_GT(unstable, 1000.0);
+    EXPECT_NEAR(sum, unstable - 0.5 * std::numbers::pi * limit, 2e-3 * unstable);
   }
 }
 

@@ -154,6 +154,28 @@ TEST_F(ConeCorrection, ABoxOnFourCorners) {
   }
 }
 
+// A cube of 0.1 m stops after v^2 / (2 mu g) and v / (mu g), and its corners stay down.
+TEST_F(ConeCorrection, ACubeSlidesToItsStop) {
+  constexpr double kSpeed = 6.0, kFriction = 0.5;
+  Slide s;
+  s.body = R"(<geom name="body" type="box" size="0.05 0.05 0.05" mass="1"/>)";
+  s.height = 0.05;
+  s.joints = "<freejoint/>";
+  const ModelPointer m = load(document(s));
+  const DataPointer d(mj_makeData(m.get()));
+  d->qvel[0] = kSpeed;
+  double stopped = 0.0, highest = 0.0;  // s; m above the height at rest on the floor
+  while (d->time < 1.5) {
+    mj_step(m.get(), d.get());
+    if (d->qvel[0] > 1e-3) stopped = d->time;
+    highest = std::max(highest, d->qpos[2] - s.height);
+  }
+  EXPECT_NEAR(d->qpos[0], 0.5 * kSpeed * kSpeed / (kFriction * kGravity), 0.01);
+  EXPECT_NEAR(stopped, kSpeed / (kFriction * kGravity), 5e-3);
+  EXPECT_LT(highest, 1e-5);
+  EXPECT_LT(std::hypot(d->qpos[4], d->qpos[5], d->qpos[6]), 1e-3) << "half the angle it has turned";
+}
+
 // A pull below mu m g is held, and one above it accelerates the box by the difference.
 TEST_F(ConeCorrection, ABoxIsHeldUpToMuTimesItsWeight) {
   Slide s;
