@@ -8,6 +8,7 @@
 
 #include "native_model/model/dynamics.h"
 #include "native_model/model/linear_parts.h"
+#include "native_model/periodic/forcing.h"
 #include "native_model/prepare/prepare.h"
 #include "native_model/rotor/refusal.h"
 
@@ -139,8 +140,11 @@ PeriodicRubs lasting_rubs_by_shooting(const scene::Scene& scene, const ShootingO
     parameters.duration = scene.run.end;
     parameters.most_checks = options.most_checks;
     parameters.most_periods = options.most_periods;
-    parameters.most_stretches = options.most_stretches;
-    for (const Start& start : starts_of(scene, m)) {
+    all.refused = periodic::forcing_of(m).refusal;
+    if (!all.refused.empty()) return all;
+    const std::vector<Start> starts = starts_of(scene, m);
+    parameters.most_stretches = options.most_stretches / static_cast<std::int64_t>(starts.size());
+    for (const Start& start : starts) {
       periodic::SettledMotion settled = periodic::settled_motion(m, start.state, parameters);
       if (!settled.found()) {
         all.without.push_back({start.name, settled.refusal});

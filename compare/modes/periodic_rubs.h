@@ -14,9 +14,8 @@
 namespace rotorub {
 
 struct ShootingOptions {
-  // Effort of each start (periodic/settled_motion.h).
-  int most_checks = 7, most_periods = 6;
-  std::int64_t most_stretches = 500'000;
+  int most_checks = 7, most_periods = 6;  // of each start (periodic/settled_motion.h)
+  std::int64_t most_stretches = 700'000;  // of all starts together, in equal shares
 };
 
 // One periodic motion with the starts that lead to it.
@@ -42,6 +41,8 @@ struct PeriodicRubs {
   std::vector<std::string> contacts;  // names; one empty name for a single contact
   std::vector<PeriodicRub> rubs;
   std::vector<UnsettledStart> without;
+  // The reason why the machine has no periodic motion from any start, or empty.
+  std::string refused;
 };
 
 // Runs the scene from its own start, from the closed forms' synchronous rub and whip (without

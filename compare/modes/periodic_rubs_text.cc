@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -27,6 +27,8 @@ json figures_json(const ContactFigures& f, const std::string& name) {
           {"stuck_share", f.stuck_share}};
 }
 
+constexpr double kRoundOff = 1e-6;  // rad, of a whirl in one period
+
 std::string kind_text(const PeriodicRub& rub) {
   if (rub.settled.order < 2) return rub.kind;
   return fmt::format("{}, sub-harmonic 1/{}", rub.kind, rub.settled.order);
@@ -41,7 +43,11 @@ result::Table rubs_table(const PeriodicRubs& all) {
   add({"kind", "periodic rub", -19}, [](auto& r) { return Item{r.kind, kind_text(r)}; });
   add({"period", "period / ms", 12},
       [](auto& r) { return number(r.settled.motion.period, 7, kMilli); });
-  add({"whirl", "whirl rad/s", 13}, [&](auto& r) { return number(main(r).whirl, 6); });
+  add({"whirl", "whirl rad/s", 13}, [&](auto& r) {
+    const double whirl = main(r).whirl;
+    const bool goes_around = std::abs(whirl) * r.settled.motion.period > kRoundOff;
+    return Item{whirl, goes_around ? number(whirl, 6).text : "0"};
+  });
   add({"mean_force", "force / N", 11}, [&](auto& r) { return number(main(r).mean_force, 6); });
   add({"largest_force", "up to", 9}, [&](auto& r) { return number(main(r).largest_force, 5); });
   add({"contact_share", "contact %", 11},
@@ -50,8 +56,10 @@ result::Table rubs_table(const PeriodicRubs& all) {
     return Item{main(r).impacts, std::to_string(main(r).impacts)};
   });
   add({"multiplier", "multiplier", 12}, [](auto& r) { return number(r.largest_multiplier(), 4); });
-  add({.key = "stable", .seen = result::kJson},
-      [](auto& r) { return Item{r.settled.motion.stable}; });
+  add({"stable"}, [](auto& r) {
+    const bool stable = r.settled.motion.stable;
+    return Item{stable, stable ? "  stable" : "  unstable"};
+  });
   add({.key = "residual", .seen = result::kJson},
       [](auto& r) { return Item{r.settled.motion.residual}; });
   add({.key = "return_error", .seen = result::kJson},
@@ -86,9 +94,11 @@ result::Table rubs_table(const PeriodicRubs& all) {
 result::Section periodic_rubs_result(const PeriodicRubs& all) {
   result::Section section{
       "periodic_rubs",
-      {line("\nperiodic motions to which runs settle, all stable", Role::kHeading),
-       rubs_table(all)}};
-  if (all.rubs.empty()) section.add({line("  none")});
+      {line("\nperiodic motions to which runs settle", Role::kHeading), rubs_table(all)}};
+  section.add({result::Data{"refused", all.refused.empty() ? json(nullptr) : json(all.refused)}});
+  if (all.rubs.empty())
+    section.add({result::Sentence{
+        .text = all.refused.empty() ? "none" : "none can be found: " + all.refused, .lead = "  "}});
   json without = json::array();
   for (const UnsettledStart& start : all.without) {
     without.push_back({{"start", start.start}, {"reason", start.why}});

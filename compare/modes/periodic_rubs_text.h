@@ -11,7 +11,8 @@ namespace rotorub {
 // name; null for a single one), "whirl": rad/s, "multiplier", "stable", "residual",
 // "return_error", "run_time": s, "mean_force", "largest_force": N, "largest_impulse": N s,
 // "impacts", "contact_share", "stuck_share", "contacts": [the keys from "whirl" and from
-// "mean_force" on, of each contact]}], "without": [{"start", "reason"}]}}
+// "mean_force" on, of each contact]}], "without": [{"start", "reason"}],
+// "refused": why there can be none, or null}}
 result::Section periodic_rubs_result(const PeriodicRubs& rubs);
 
 }  // namespace rotorub

@@ -136,6 +136,20 @@ State state_of(const Model& m, EventIntegrator& run) {
           Eigen::Map<const Eigen::VectorXd>(now.v, m.nq())};
 }
 
+// True if nothing moves but what turns: rotor and rings would go less than kRestingPath of their
+// sizes in `duration` (s).
+bool is_at_rest(const Model& m, const State& at, double duration) {
+  constexpr double kRestingPath = 1e-6;
+  Eigen::VectorXd y(2 * m.nq());
+  y << at.q, at.v;
+  const Eigen::VectorXd sizes = EssentialState::sizes(m, {y.data()});
+  for (int i = 0; i < m.layout.mechanical(); ++i) {
+    if (m.layout.turns(i)) continue;
+    if (std::abs(at.v[i]) * duration > kRestingPath * sizes[i]) return false;
+  }
+  return true;
+}
+
 SettledMotion refused(std::string why) {
   SettledMotion none;
   none.refusal = std::move(why);
@@ -173,18 +187,23 @@ SettledMotion settled_motion(const Model& m, const State& start, const SettlingP
       return refused("the run ends at " + in_seconds(run.now()) + ": " + run.result().message);
     }
     if (check.is_exhausted() && run.now() < end) break;
-    if (check.at(state_of(m, run), p.duration)) return check.take();
+    const State now = state_of(m, run);
+    if (map.forcing().period == 0.0 && is_at_rest(m, now, p.duration)) {
+      return refused("the run comes to rest");
+    }
+    if (check.at(now, p.duration)) return check.take();
   }
-  const std::string until = in_seconds(run.now());
-  if (!std::isfinite(check.nearest())) {
-    return refused("no periodic motion was found in " + until + " of the run" +
-                   (check.why().empty() ? "" : ": " + check.why()));
+  std::string why = "no periodic motion was found in " + in_seconds(run.now()) + " of the run";
+  if (std::isfinite(check.nearest())) {
+    std::string nearest = std::to_string(100.0 * check.nearest());
+    nearest.resize(nearest.find('.') + 3);
+    why += ", which comes back to within " + nearest + " % after at most " +
+           std::to_string(p.most_periods) + " periods";
+  } else if (!check.why().empty()) {
+    why += ": " + check.why();
   }
-  std::string nearest = std::to_string(100.0 * check.nearest());
-  nearest.resize(std::min(nearest.size(), nearest.find('.') + 3));
-  return refused("no periodic motion of up to " + std::to_string(p.most_periods) +
-                 " periods was found in " + until + " of the run, which comes back to within " +
-                 nearest + " % at best");
+  if (check.is_exhausted()) why += "; the search ended at its limit of effort";
+  return refused(why);
 }
 
 }  // namespace rotorub::periodic
