@@ -37,30 +37,36 @@ std::optional<State> state_on_rub(scene::Scene scene, scene::StartingRub rub) {
   }
 }
 
-// A backward whirl of the first bending mode within the clearance of the first contact, faster than
-// the free whirl, so that it presses on the ring. Empty if the machine has no such state.
+// A backward whirl of the first bending mode, faster than the free whirl, together with the ring of
+// the first contact, so that they press on each other. Empty if the machine has no such state.
 std::optional<State> backward_whirl(const Model& m) {
-  constexpr double kOfClearance = 0.9, kOfFrequency = 1.5, kLeastShape = 1e-6;
+  constexpr double kOfClearance = 0.98, kOfRing = 0.35;  // of the clearance: rotor in ring, ring
+  constexpr double kOfFrequency = 1.4, kLeastShape = 1e-6;
   const Layout& l = m.layout;
   const AuxiliaryBearing& at = m.first();
-  const auto turns = [](const AuxiliaryBearing& bearing) {
-    return bearing.contact && bearing.contact->friction.sticking() > 0.0;
-  };
-  if (m.speed == 0.0 || l.modes == 0 || !turns(at)) return {};
+  const bool drags = at.contact && at.contact->friction.sticking() > 0.0;
+  if (m.speed == 0.0 || l.modes == 0 || !drags) return {};
   const double shape_x = at.shape.x[0], shape_y = at.shape.y[0];
   if (std::min(std::abs(shape_x), std::abs(shape_y)) < kLeastShape) return {};
   const LinearParts parts = linear_parts(m, m.speed);
   const double pace = kOfFrequency * std::sqrt(parts.stiffness(0, 0) / parts.mass[0]);
   if (!(pace > 0.0)) return {};
+  const double backward = m.speed > 0.0 ? -pace : pace, clearance = at.contact->clearance;
   State state = initial_state(m);
   const Eigen::Index bending = 2 * l.modes;
   state.q.head(bending).setZero();
   state.v.head(bending).setZero();
-  const double reach = kOfClearance * at.contact->clearance;
+  double ring = 0.0;  // m, from its place at rest
+  if (at.moves()) {
+    ring = kOfRing * clearance;
+    state.q.segment<2>(at.ring) = Eigen::Vector2d(ring, 0.0);
+    state.v.segment<2>(at.ring) = Eigen::Vector2d(0.0, backward * ring);
+  }
+  const double reach = kOfClearance * clearance;
   const Eigen::Vector2d away = Eigen::Vector2d(reach, 0.0) - separation(m, state.q.data());
   state.q[l.x()] = away.x() / shape_x;
   state.q[l.y()] = away.y() / shape_y;
-  state.v[l.y()] = (m.speed > 0.0 ? -pace : pace) * reach / shape_y;
+  state.v[l.y()] = backward * (ring + reach) / shape_y;
   for (std::size_t k = 0; k < m.auxiliary.size(); ++k) {
     const auto& contact = m.auxiliary[k].contact;
     if (contact && separation(m, state.q.data(), k).norm() > contact->clearance) return {};

@@ -53,7 +53,7 @@ void expect_equal(const PeriodicRub& found, const rub::SteadyRub& expected) {
   EXPECT_NEAR(f.whirl, expected.whirl, 1e-8 * std::abs(expected.whirl));
   EXPECT_NEAR(f.mean_force, expected.normal_force, 1e-8 * expected.normal_force);
   EXPECT_NEAR(f.largest_force, expected.normal_force, 1e-8 * expected.normal_force);
-  EXPECT_EQ(f.contact_share, 1.0);
+  EXPECT_DOUBLE_EQ(f.contact_share, 1.0);
   EXPECT_EQ(f.impacts, 0);
 }
 
@@ -83,7 +83,8 @@ TEST(PeriodicRubs, AWhipUnderWeight) {
 }
 
 TEST(PeriodicRubs, ASynchronousRubUnderWeight) {
-  const scene::Scene scene = test::shipped("bench_annular_elastic", {kWeight});
+  const scene::Scene scene =
+      test::shipped("bench_annular_elastic", {kWeight, "stator.stiffness=3e5"});
   const PeriodicRub found = only_rub(scene);
   EXPECT_EQ(found.kind, "synchronous rub");
   EXPECT_NEAR(found.figures[0].whirl, scene.forces[0].frequency, 1e-6);
