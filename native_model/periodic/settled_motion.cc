@@ -198,7 +198,7 @@ SettledMotion settled_motion(const Model& m, const State& start, const SettlingP
     std::string nearest = std::to_string(100.0 * check.nearest());
     nearest.resize(nearest.find('.') + 3);
     why += ", which comes back to within " + nearest + " % after at most " +
-           std::to_string(p.most_periods) + " periods";
+           std::to_string(p.most_periods) + (p.most_periods == 1 ? " period" : " periods");
   } else if (!check.why().empty()) {
     why += ": " + check.why();
   }
