@@ -57,8 +57,8 @@ TEST(CliMeasured, IsLaidBesideTheRuns) {
             1e-3);
   EXPECT_TRUE(folder.json_in("out/columns.json").contains("compare.json measured"));
   const std::string page = folder.text("out/report.html");
-  EXPECT_TRUE(contains(page, {"The measured run", "id=\"scene-1-measured\"",
-                              "data-side=\"measured\"", "href=\"#scene-1-measured\""}));
+  EXPECT_TRUE(contains(page, {"\"title\":\"The measured run\"", "{\"id\":\"measured\"",
+                              "\"label\":\"measured\",\"measured\":true"}));
 
   const Outcome told = folder.run(comparison(
       {"--measured", "rig.csv", "--measured-shift", "-249.9ms", "--measured-angle", "90deg"}));

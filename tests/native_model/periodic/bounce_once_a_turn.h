@@ -19,11 +19,15 @@
 
 #include "tests/support/jeffcott.h"
 
+namespace rotorub::periodic {
+inline constexpr double kTurn = 2.0 * std::numbers::pi;  // rad
+}
+
 namespace rotorub::test {
 
 struct BounceOnceATurn {
-  double mass = 2.0, omega = 300.0;              // kg, rad/s
-  double press = 10.0, swing = 12.5;             // N, F and A
+  double mass = 2.0, omega = 300.0;            // kg, rad/s
+  double press = 10.0, swing = 12.5;           // N, F and A
   double restitution = 0.5, clearance = 2e-3;  // 1, m
 
   double period() const { return 2.0 * std::numbers::pi / omega; }

@@ -19,8 +19,6 @@
 namespace rotorub::periodic {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
-
 Model whip_with(double friction) {
   scene::Scene scene = test::shipped("bench_whip");
   scene.first().contact->friction = friction;

@@ -21,7 +21,6 @@
 namespace rotorub::periodic {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 using Complex = std::complex<double>;
 
 // Each multiplier e^{s T} of the eigenvalues s (rad/s) in the whirling frame is among those of the

@@ -78,7 +78,7 @@ def run(program, file, engine, changes=(), scales=False):
             out.seek(0), err.seek(0)
             said, complaint = out.read(), err.read()
         if outcome.exit == 2:
-            outcome.keys = sorted(set(re.findall(r"^\S+?(?::\d+)?: ([A-Za-z_]+(?:\.[\w\[\]]+)*): ", complaint, re.M)))
+            outcome.keys = sorted(set(re.findall(r"^(?:rotorub \S+: )?\S+?(?::\d+)?: ([A-Za-z_]+(?:\.[\w\[\]]+)*): ", complaint, re.M)))
         if said:
             read_run(outcome, json.loads(said), pathlib.Path(folder) / "run", scales)
     return outcome
