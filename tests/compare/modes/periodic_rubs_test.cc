@@ -150,9 +150,9 @@ TEST(PeriodicRubs, AShaftInTwoRingsNightly) {
   const scene::Scene scene = test::shipped("two_catchers");
   const PeriodicRub found = only_rub(scene);
   EXPECT_EQ(found.kind, "rub on one side");
-  const nlohmann::json json =
+  const nlohmann::json printed =
       result::json_of({.parts = {periodic_rubs_result(lasting_rubs_by_shooting(scene))}});
-  const nlohmann::json& rub = json.at("periodic_rubs").at("rubs").at(0);
+  const nlohmann::json& rub = printed.at("periodic_rubs").at("rubs").at(0);
   EXPECT_EQ(rub.at("contacts").size(), 2u);
   EXPECT_EQ(rub.at("contact"), rub.at("contacts").at(found.contact).at("name"));
 }
@@ -180,12 +180,12 @@ TEST(PeriodicRubs, StandInTheResultIfAskedFor) {
   const std::string after = result::text_of(modes_result("a", analysis));
   EXPECT_EQ(after.find("--periodic finds"), std::string::npos);
   EXPECT_NE(after.find("synchronous rub"), std::string::npos) << after;
-  const nlohmann::json json = result::json_of(modes_result("a", analysis));
-  const nlohmann::json& rub = json.at("periodic_rubs").at("rubs").at(0);
+  const nlohmann::json printed = result::json_of(modes_result("a", analysis));
+  const nlohmann::json& rub = printed.at("periodic_rubs").at("rubs").at(0);
   EXPECT_EQ(rub.at("kind"), "synchronous rub");
   EXPECT_TRUE(rub.at("stable"));
   EXPECT_NEAR(rub.at("whirl").get<double>(), 100.0 * std::numbers::pi, 1e-6);
-  EXPECT_TRUE(json.at("periodic_rubs").at("refused").is_null());
+  EXPECT_TRUE(printed.at("periodic_rubs").at("refused").is_null());
   const nlohmann::json page = page_json(modes_result("a", analysis));
   EXPECT_NE(page.dump().find("periodic rub"), std::string::npos);
 }
