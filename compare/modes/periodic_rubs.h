@@ -15,7 +15,7 @@ namespace rotorub {
 
 struct ShootingOptions {
   int most_checks = 7, most_periods = 6;  // of each start (periodic/settled_motion.h)
-  std::int64_t most_stretches = 700'000;  // of all starts together, in equal shares
+  std::int64_t most_stretches = 500'000;  // of all starts together, in equal shares
 };
 
 // One periodic motion with the starts that lead to it.
