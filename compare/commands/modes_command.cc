@@ -15,6 +15,7 @@
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
+#include "compare/modes/periodic_rubs.h"
 #include "compare/modes/result.h"
 #include "compare/modes/rotor_analysis.h"
 #include "compare/modes/rub_key_map.h"
@@ -40,7 +41,7 @@ namespace {
 struct ModesArguments : CommonOptions {
   std::string scene, up_to, output;
   std::vector<std::string> speeds;
-  bool rub_map = false, feedback_map = false, state_space = false;
+  bool rub_map = false, feedback_map = false, state_space = false, periodic = false;
   std::string map_feedbacks;
   std::string map_speeds, map_frictions;  // FROM:TO:COUNT; empty if not given
   std::string across, up;                 // KEY=FROM:TO:COUNT; empty if not given
@@ -258,7 +259,8 @@ int modes(const ModesArguments& options) {
   std::vector<double> map_speeds = given_range("--speeds", options.map_speeds, scene::kSpin);
   std::vector<double> frictions = given_range("--frictions", options.map_frictions, scene::kPure);
   const scene::Scene scene = read_scene(options.scene, options);
-  const RotorAnalysis analysis = analyse_rotor(scene, speeds);
+  RotorAnalysis analysis = analyse_rotor(scene, speeds);
+  if (options.periodic) analysis.periodic_rubs = lasting_rubs_by_shooting(scene);
   const std::string name = scene::printable(scene.name);
   result::Section found = modes_result(name, analysis);
   if (!options.rub_map) {
@@ -282,9 +284,10 @@ Command add_modes_command(CLI::App& program) {
   CLI::App& app = add_command(
       program, "modes", "Find whirl frequencies, critical speeds, mode shapes and lasting rubs");
   add_option(app, "SCENE", options->scene, "Scene file (.toml)").required();
-  add_value(app, "--speed", options->speeds, "SPEED",
-            "Spin speed, e.g. \"4000 rpm\"; may be repeated (default: rotor.speed)")
-      .repeats();
+  const Option speed =
+      add_value(app, "--speed", options->speeds, "SPEED",
+                "Spin speed, e.g. \"4000 rpm\"; may be repeated (default: rotor.speed)")
+          .repeats();
   const Option page = add_value(
       app, "-o,--output", options->output, "DIR|FILE.html",
       "Write a page with Campbell diagram and mode shapes, or the page of a map: to a file that "
@@ -305,12 +308,20 @@ Command add_modes_command(CLI::App& program) {
   add_value(app, "--feedbacks", options->map_feedbacks, "FROM:TO:COUNT",
             "Values of k of the feedback map in N s/m, e.g. 0:4000:81")
       .needs(feedback);
-  add_flag(app, "--state-space", options->state_space,
-           "Print the plant of a controller as JSON: A, B and C of rotor and ring without "
-           "contact, from the force on the ring to their positions")
-      .excludes(feedback)
-      .excludes(map);
+  const Option plant =
+      add_flag(app, "--state-space", options->state_space,
+               "Print the plant of a controller as JSON: A, B and C of rotor and ring without "
+               "contact, from the force on the ring to their positions")
+          .excludes(feedback)
+          .excludes(map);
   feedback.excludes(map);
+  add_flag(app, "--periodic", options->periodic,
+           "Also find the periodic rubs to which runs of the scene settle, at rotor.speed, for "
+           "any machine: with weight, films, compliant or several contacts")
+      .excludes(speed)
+      .excludes(map)
+      .excludes(feedback)
+      .excludes(plant);
   add_value(app, "--frictions", options->map_frictions, "FROM:TO:COUNT",
             "Coefficients of friction of the map (default: 0.025:0.5:20)")
       .needs(map);

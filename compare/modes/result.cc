@@ -12,6 +12,7 @@
 #include "compare/base/json.h"
 #include "compare/base/units.h"
 #include "compare/modes/levitation_text.h"
+#include "compare/modes/periodic_rubs_text.h"
 #include "compare/modes/response_text.h"
 
 namespace rotorub {
@@ -339,6 +340,14 @@ std::vector<Part> rubs_parts(const RotorAnalysis& analysis) {
     }
     if (!rubs.refused.empty())
       parts.emplace_back(line(fmt::format("\nlasting rubs: {}", rubs.refused)));
+  }
+  const auto is_refused = [](const RubAnalyses& rubs) { return !rubs.refused.empty(); };
+  if (analysis.periodic_rubs) {
+    parts.emplace_back(periodic_rubs_result(*analysis.periodic_rubs));
+  } else if (std::ranges::any_of(analysis.rubs, is_refused)) {
+    Sentence hint = line("  --periodic finds the periodic rub to which a run settles");
+    hint.seen = result::kTerminal;
+    parts.emplace_back(std::move(hint));
   }
   return parts;
 }

@@ -23,6 +23,7 @@ namespace rotorub {
 // (rub_result) of the first contact; if its rubs cannot be analysed, "rub" is null and
 // "rub_refused" gives the reason. With several contacts "contacts" holds the same keys and "name"
 // for each. "notes": sentences on where the response is not valid. "levitation": levitation_text.h.
+// "periodic_rubs", if they were searched: periodic_rubs_text.h.
 //
 // People read it in Hz and rpm, with the shapes of the first modes at the stations.
 result::Section modes_result(const std::string& name, const RotorAnalysis& analysis);

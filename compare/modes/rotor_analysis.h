@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/modes/periodic_rubs.h"
 #include "compare/modes/response_text.h"
 #include "compare/modes/rub_analysis.h"
 #include "native_model/linear/campbell.h"
@@ -35,6 +36,8 @@ struct RotorAnalysis {
   std::vector<WhirlMode> torsion;
   bool motor_is_held = false;     // in torsion, because there is no drive
   std::vector<RubAnalyses> rubs;  // one per contact, at the speeds of the spectra
+  // At the scene's speed; only if asked for, because it takes runs.
+  std::optional<PeriodicRubs> periodic_rubs;
   std::vector<ContactPlace> contacts;
   // At the same speeds, for the kept modes; empty without a contact or a controlled magnetic
   // bearing.

@@ -171,27 +171,32 @@ FoundGuess guess_at_start(const Model& m, int periods, const EventParameters& pa
   return found;
 }
 
+FoundGuess guess_from_state(const Model& m, const State& state, double longest, int periods,
+                            const EventParameters& parameters) {
+  FoundGuess found;
+  found.guess.start = state;
+  find_period(m, periods, longest, parameters, found.guess);
+  if (!(found.guess.period > 0.0) || !std::isfinite(found.guess.period)) {
+    return failed(Status::kNoSolution,
+                  "the run does not come back to a state it had, so its period is unknown");
+  }
+  const MotionRecord motion = record_motion(m, state, state.t + found.guess.period, parameters);
+  if (motion.status != Status::kOk) return failed(motion.status, motion.message);
+  const Arrival at = advance(m, state, best_instant(motion), parameters);
+  if (at.status != Status::kOk) return failed(at.status, at.message);
+  found.guess.start = at.state;
+  found.guess.held = at.held;
+  return found;
+}
+
 FoundGuess guess_from_run(const Model& m, double duration, int periods,
                           const EventParameters& parameters) {
   const Forcing forcing = forcing_of(m);
   double end = forcing.settled + duration;
   if (forcing.period > 0.0) end = std::ceil(end / forcing.period) * forcing.period;
-  Arrival at = advance(m, initial_state(m), end, parameters);
+  const Arrival at = advance(m, initial_state(m), end, parameters);
   if (at.status != Status::kOk) return failed(at.status, at.message);
-  FoundGuess found;
-  found.guess.start = at.state;
-  find_period(m, periods, duration, parameters, found.guess);
-  if (!(found.guess.period > 0.0) || !std::isfinite(found.guess.period)) {
-    return failed(Status::kNoSolution,
-                  "the run does not come back to a state it had, so its period is unknown");
-  }
-  const MotionRecord motion = record_motion(m, at.state, end + found.guess.period, parameters);
-  if (motion.status != Status::kOk) return failed(motion.status, motion.message);
-  at = advance(m, at.state, best_instant(motion), parameters);
-  if (at.status != Status::kOk) return failed(at.status, at.message);
-  found.guess.start = at.state;
-  found.guess.held = at.held;
-  return found;
+  return guess_from_state(m, at.state, duration, periods, parameters);
 }
 
 }  // namespace rotorub::periodic

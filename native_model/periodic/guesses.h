@@ -27,4 +27,9 @@ FoundGuess guess_at_start(const Model& model, int periods = 1,
 FoundGuess guess_from_run(const Model& model, double duration, int periods = 1,
                           const EventParameters& parameters = {});
 
+// From a state that a settled motion has at its time, at least Forcing::settled. longest: s, > 0,
+// in which a motion on which nothing depends on time is watched for its return.
+FoundGuess guess_from_state(const Model& model, const State& state, double longest, int periods = 1,
+                            const EventParameters& parameters = {});
+
 }  // namespace rotorub::periodic

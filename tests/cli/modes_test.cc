@@ -40,6 +40,15 @@ TEST(CliModes, SaysWhatAnImpactMeets) {
   EXPECT_TRUE(json::parse(modal.out).at("contact_mass").is_null());
 }
 
+TEST(CliModes, FindsPeriodicRubsIfAskedFor) {
+  const Folder folder;
+  const std::string ring = shipped("compliant_ring");
+  EXPECT_TRUE(contains(folder.done({"modes", ring}).out, {"needs a rigid contact", "--periodic"}));
+  EXPECT_TRUE(contains(folder.done({"modes", ring, "--periodic"}).out,
+                       {"periodic motions to which runs settle", "synchronous rub"}));
+  folder.refuses({"modes", ring, "--periodic", "--speed", "50 Hz"}, {"--speed", "--periodic"});
+}
+
 TEST(CliModes, RefusesAutoWhereNoNumberDoes) {
   const Folder folder;
   folder.refuses({"modes", shipped("paper_passive"), "--set", "rotor.modes=auto", "--set",

@@ -32,6 +32,7 @@ class JsonKeys(InAFolder):
     def test_modes(self):
         for scene in ("bench_whip", "paper_passive"):
             self.check(self.rotorub("modes", SCENES / f"{scene}.toml", "--json"), "modes")
+        self.check(self.rotorub("modes", SCENES / "compliant_ring.toml", "--periodic", "--json"), "modes")
 
     def test_tune(self):
         self.check(self.rotorub("tune", SCENES / "bench_ring.toml", "--end", "2ms", "--steps", "20us", "--json"), "tune", "study")

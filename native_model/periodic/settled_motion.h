@@ -1,0 +1,39 @@
+// The periodic motion to which a run settles. The run is checked at a few instants, after a
+// duration and each time after twice the time: if it nearly comes back to its state after 1, 2, ...
+// n periods, Newton's method (periodic_motion.h) begins there. Its result counts if it is stable,
+// is near the state of the run, and comes back to itself in a run over three of its periods. So a
+// motion that the run only passes on its way does not count.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "native_model/periodic/periodic_motion.h"
+
+namespace rotorub::periodic {
+
+struct SettlingParameters {
+  double duration = 1.0;  // s, > 0, of the run until the first check, after the last switched load
+  int most_checks = 7;    // the last one is 2^(n - 1) durations after the last switched load
+  int most_periods = 6;   // n of the loads, or turns of a free spin, in one period of the motion
+  // Of the run and of its checks together, so that the effort does not depend on the processor. For
+  // a small system they take 2 s, for a shaft on many modes 10 s.
+  std::int64_t most_stretches = 500'000;
+  SearchParameters search{};
+};
+
+struct SettledMotion {
+  std::string refusal;  // the reason why there is none, or empty
+  PeriodicMotion motion;
+  // Periods of the loads, or turns of a free spin, in one period; 0 if nothing depends on time.
+  int order = 0;
+  double run_time = 0.0;      // s, at which the run was as near as needed
+  double return_error = 0.0;  // of a run over three periods, relative to the sizes of the state
+  bool found() const { return refusal.empty(); }
+};
+
+// start: at its time; see initial_state().
+SettledMotion settled_motion(const Model& model, const State& start,
+                             const SettlingParameters& parameters = {});
+
+}  // namespace rotorub::periodic
