@@ -27,7 +27,7 @@ json figures_json(const ContactFigures& f, const std::string& name) {
           {"stuck_share", f.stuck_share}};
 }
 
-constexpr double kRoundOff = 1e-6;  // rad, of a whirl in one period
+constexpr double kAngleRoundOff = 1e-6;  // rad, of a whirl in one period
 
 std::string kind_text(const PeriodicRub& rub) {
   if (rub.settled.order < 2) return rub.kind;
@@ -45,7 +45,7 @@ result::Table rubs_table(const PeriodicRubs& all) {
       [](auto& r) { return number(r.settled.motion.period, 7, kMilli); });
   add({"whirl", "whirl rad/s", 13}, [&](auto& r) {
     const double whirl = main(r).whirl;
-    const bool goes_around = std::abs(whirl) * r.settled.motion.period > kRoundOff;
+    const bool goes_around = std::abs(whirl) * r.settled.motion.period > kAngleRoundOff;
     return Item{whirl, goes_around ? number(whirl, 6).text : "0"};
   });
   add({"mean_force", "force / N", 11}, [&](auto& r) { return number(main(r).mean_force, 6); });
