@@ -258,7 +258,9 @@ std::optional<std::string> StiffnessWatch::look(double t, double end, const Smoo
       steps_ > kStepsBetween ? (end - t) * static_cast<double>(kStepsBetween) / (t - last_) : 0.0;
   const double impacts_at_pace =
       at_pace / static_cast<double>(kStepsBetween) * static_cast<double>(impacts_);
-  fast_impacts_ = impacts_at_pace > parameters_->most_impacts ? fast_impacts_ + impacts_ : 0;
+  // A short pause between bursts must not begin the count anew.
+  const bool fast = impacts_at_pace > parameters_->most_impacts;
+  fast_impacts_ = fast ? fast_impacts_ + impacts_ : fast_impacts_ / 2;
   impacts_ = 0;
   last_ = t;
   const auto text = [](double value) { return scene::number_text(value, 2); };

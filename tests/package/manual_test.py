@@ -51,6 +51,7 @@ TRIED = [
     f"modes {RING} --rub-map --across contact.clearance=0.2mm:1mm:2 --up stator.stiffness=1e5:2e5:2 -q",
     f"modes {RING} --feedback-map --feedbacks 0:1000:2 --speeds 50Hz:51Hz:2 --output f --quiet",
     f"modes {RING} --state-space",
+    f"modes {RING} --periodic",
     f"mjcf {RING} --mujoco 3.12 -o ring.xml --set contact.friction=0.2 --json",
     f"mjcf {RING} --output r.xml --quiet", f"mjcf {RING} -q",
     f"fmu {RING} --set contact.friction=0.2 --fmi 2.0 -o plant.fmu --json", f"fmu {RING} --quiet",
