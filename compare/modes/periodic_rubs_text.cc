@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <complex>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -71,6 +72,15 @@ result::Table rubs_table(const PeriodicRubs& all) {
       [&](auto& r) { return Item{main(r).stuck_share}; });
   add({.key = "order", .seen = result::kJson},
       [](auto& r) { return Item{r.settled.order > 0 ? json(r.settled.order) : json(nullptr)}; });
+  add({.key = "multipliers", .seen = result::kJson}, [](auto& r) {
+    json pairs = json::array();
+    for (const std::complex<double>& m : r.settled.motion.multipliers)
+      pairs.push_back({m.real(), m.imag()});
+    return Item{pairs};
+  });
+  add({.key = "source", .seen = result::kJson}, [](auto& r) {
+    return Item{fmt::format("shooting from a run: {}", fmt::join(r.starts, ", "))};
+  });
   add({.key = "starts", .seen = result::kJson}, [](auto& r) { return Item{r.starts}; });
   add({.key = "contact", .seen = result::kJson}, [&](auto& r) {
     const std::string& name = all.contacts[r.contact];
@@ -93,9 +103,7 @@ result::Table rubs_table(const PeriodicRubs& all) {
 
 result::Section periodic_rubs_result(const PeriodicRubs& all) {
   result::Section section{
-      "periodic_rubs",
-      {line("\nperiodic motions to which runs settle", Role::kHeading), rubs_table(all)}};
-  section.add({result::Data{"refused", all.refused.empty() ? json(nullptr) : json(all.refused)}});
+      "", {line("\nperiodic motions to which runs settle", Role::kHeading), rubs_table(all)}};
   if (all.rubs.empty())
     section.add({result::Sentence{
         .text = all.refused.empty() ? "none" : "none can be found: " + all.refused, .lead = "  "}});
@@ -105,7 +113,9 @@ result::Section periodic_rubs_result(const PeriodicRubs& all) {
     section.add({result::Sentence{.text = fmt::format("from {}: {}", start.start, start.why),
                                   .lead = "  "}});
   }
-  section.add({result::Data{"without", without}});
+  const json refused = all.refused.empty() ? json(nullptr) : json(all.refused);
+  section.add({result::Section{
+      "periodic_rubs", {result::Data{"refused", refused}, result::Data{"without", without}}}});
   return section;
 }
 

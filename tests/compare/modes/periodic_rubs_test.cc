@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <string>
 
 #include "compare/modes/periodic_rubs_text.h"
 #include "compare/modes/result.h"
@@ -152,7 +153,7 @@ TEST(PeriodicRubs, AShaftInTwoRingsNightly) {
   EXPECT_EQ(found.kind, "rub on one side");
   const nlohmann::json printed =
       result::json_of({.parts = {periodic_rubs_result(lasting_rubs_by_shooting(scene))}});
-  const nlohmann::json& rub = printed.at("periodic_rubs").at("rubs").at(0);
+  const nlohmann::json& rub = printed.at("rubs").at(0);
   EXPECT_EQ(rub.at("contacts").size(), 2u);
   EXPECT_EQ(rub.at("contact"), rub.at("contacts").at(found.contact).at("name"));
 }
@@ -181,9 +182,13 @@ TEST(PeriodicRubs, StandInTheResultIfAskedFor) {
   EXPECT_EQ(after.find("--periodic finds"), std::string::npos);
   EXPECT_NE(after.find("synchronous rub"), std::string::npos) << after;
   const nlohmann::json printed = result::json_of(modes_result("a", analysis));
-  const nlohmann::json& rub = printed.at("periodic_rubs").at("rubs").at(0);
+  const nlohmann::json& rub = printed.at("rubs").at(0);
   EXPECT_EQ(rub.at("kind"), "synchronous rub");
   EXPECT_TRUE(rub.at("stable"));
+  EXPECT_TRUE(rub.at("source").get<std::string>().starts_with("shooting from a run: "));
+  const double real = rub.at("multipliers").at(0).at(0),
+               imaginary = rub.at("multipliers").at(0).at(1);
+  EXPECT_NEAR(std::hypot(real, imaginary), rub.at("multiplier").get<double>(), 1e-15);
   EXPECT_NEAR(rub.at("whirl").get<double>(), 100.0 * std::numbers::pi, 1e-6);
   EXPECT_TRUE(printed.at("periodic_rubs").at("refused").is_null());
   const nlohmann::json page = page_json(modes_result("a", analysis));
