@@ -12,4 +12,10 @@ function written(value) {
   return value === null || value === undefined || value === false ? '' : String(value).replace(/[&<>"]/g, (sign) => escapes[sign]);
 }
 
+// The pieces of a text. Those between backticks, as the terminal prints code, are passed through code(piece).
+export const withCode = (text, code = (piece) => html`<code>${piece}</code>`) => {
+  const pieces = text.split('`');
+  return pieces.length % 2 ? pieces.map((piece, k) => (k % 2 ? code(piece) : piece)) : [text];
+};
+
 export const html = (texts, ...values) => new Markup(texts.reduce((all, text, k) => all + written(values[k - 1]) + text));

@@ -9,6 +9,7 @@
 //   {markup}                                         of html.js
 // A part with `contents` is in the page's list of contents, under that name.
 // No text is read as HTML: a name such as "<b>" is shown as it is written.
+import {withCode} from './html.js';
 import {isRun} from './style.js';
 
 // An element with attributes and children; those without a value are left out.
@@ -19,9 +20,11 @@ export function element(name, attributes = {}, ...children) {
   return made;
 }
 
+const coded = (text) => withCode(text, (piece) => element('code', {}, piece));
+
 const toned = ({text, tone, toned: words}) => {
   const at = tone && words ? text.indexOf(words) : -1;
-  return at < 0 ? [text] : [text.slice(0, at), element('b', {class: tone}, words), text.slice(at + words.length)];
+  return at < 0 ? coded(text) : [text.slice(0, at), element('b', {class: tone}, words), text.slice(at + words.length)];
 };
 
 const chipOf = (text, {tone, note}) => element('span', {class: `chip ${tone || ''}`.trim(), title: note}, element('span', {class: 'word'}, text));
@@ -74,7 +77,7 @@ const kinds = {
   facts: ({facts}) => element('dl', {class: 'facts'}, ...facts.map(([name, text]) =>
     element('div', {}, element('dt', {}, name), element('dd', {}, text)))),
   markup: ({markup}) => document.createRange().createContextualFragment(markup.text),
-  list: ({list}) => element('ul', {class: 'note'}, ...list.map((text) => element('li', {}, text))),
+  list: ({list}) => element('ul', {class: 'note'}, ...list.map((text) => element('li', {}, ...coded(text)))),
   summary: ({summary, pre}) => element('details', {}, element('summary', {}, summary), element('pre', {}, pre)),
   text: (sentence) => element('p', {class: 'note'}, ...toned(sentence)),
 };

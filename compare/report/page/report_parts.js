@@ -1,6 +1,6 @@
 // The parts of a report and of the page of one run, for layout.js, from what page.cc writes.
 import {glossary} from './glossary.js';
-import {html} from './html.js';
+import {html, withCode} from './html.js';
 import {liveOf} from './live_frame.js';
 import {units} from './player/units.js';
 import {whirlParts, withPlots} from './plot_words.js';
@@ -29,7 +29,7 @@ function answerOf({name, setting}, index, {answer}) {
       <figure class="first"><figcaption></figcaption><div class="plot" data-of="first" data-index="${index}"></div></figure>`},
     {...table, caption: 'Each contact model, and why', class: 'cards-when-small'},
     text([...notes, errorsWords(table.columns)].join(' ')),
-    ...(setting ? [{markup: html`<p class="setting"><b>Setting to use</b> ${setting}</p>`}] : []),
+    ...(setting ? [{markup: html`<p class="setting"><b>Setting to use</b> ${withCode(setting)}</p>`}] : []),
   ]};
 }
 

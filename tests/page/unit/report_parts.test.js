@@ -1,7 +1,7 @@
 // The parts of a report and of a run's page, from what page.cc writes.
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import {html} from '../../../compare/report/page/html.js';
+import {html, withCode} from '../../../compare/report/page/html.js';
 import {reportParts, runParts} from '../../../compare/report/page/report_parts.js';
 
 const side = {label: 'native', status: 'ok', engine: 'native', integrator: 'event', contact: 'rigid', step: 0, steps: 9, rows: 3, impacts_written: 1,
@@ -90,4 +90,9 @@ test('the page of one run has its engine, its end and its facts', () => {
 
 test('a value in markup is escaped, markup is not, and nothing is left out', () => {
   assert.equal(html`<i title="${'"<'}">${[html`<b>${'&'}</b>`, 0, null, false, undefined]}</i>`.text, '<i title="&quot;&lt;"><b>&amp;</b>0</i>');
+});
+
+test('words between backticks are code, and a single backtick is itself', () => {
+  assert.equal(html`${withCode('run `rotorub tune <a>` now')}`.text, 'run <code>rotorub tune &lt;a&gt;</code> now');
+  assert.deepEqual(withCode('a ` b'), ['a ` b']);
 });
