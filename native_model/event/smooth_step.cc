@@ -261,6 +261,7 @@ std::optional<std::string> StiffnessWatch::look(double t, double end, const Smoo
   // A short pause between bursts must not begin the count anew.
   const bool fast = impacts_at_pace > parameters_->most_impacts;
   fast_impacts_ = fast ? fast_impacts_ + impacts_ : fast_impacts_ / 2;
+  const bool bounces = 2 * impacts_ > kStepsBetween;
   impacts_ = 0;
   last_ = t;
   const auto text = [](double value) { return scene::number_text(value, 2); };
@@ -271,6 +272,7 @@ std::optional<std::string> StiffnessWatch::look(double t, double end, const Smoo
            " more impacts at the present pace (lower contact.restitution, or take the integrator "
            "`verlet`, whose steps do not follow every bounce)";
   }
+  if (bounces) return {};  // impacts, not stability, shorten the steps
   const bool hopeless = at_pace > parameters_->most_steps;
   if (!hopeless && now.rate * step.length() < kBorder) {
     if (++smooth_ == kSmoothLooks) stiff_ = 0;
