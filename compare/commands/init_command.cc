@@ -190,7 +190,7 @@ int write_starter(const InitArguments& options) {
 Command add_init_command(CLI::App& program) {
   auto options = std::make_shared<InitArguments>();
   CLI::App& app =
-      add_command(program, "init", "Write a commented scene that runs as it is, to start from");
+      add_command(program, "init", "Write a commented scene to start from; it runs unchanged");
   add_option(app, "NAME", options->name, "Name of the scene (default: rotor)");
   std::vector<std::string> forms;
   for (const StarterFormWord& each : kStarterForms) forms.emplace_back(each.word);

@@ -237,7 +237,7 @@ std::string divergence_text(const SceneComparison& c) {
   return text + ".";
 }
 
-// What the difference of a figure is due to. A terminal shows the judged figures alone.
+// The causes of the difference of each figure. A terminal shows only the judged figures.
 std::vector<Part> split_parts(const SceneComparison& c) {
   constexpr auto kTerminal = result::kTerminal, kPage = result::kPage;
   Table table{"",

@@ -32,8 +32,8 @@ class Constraint {
   void apply(double t, const double* q, double* v, const Eigen::Vector2d& e_r, double normal,
              double friction, std::size_t contact = 0);
 
-  // What holds for the relative velocity of a closed contact: nothing (kAny), gdot_N = 0
-  // (kTangential), or gdot_N = gdot_T = 0 (kZero).
+  // The relative velocity of a closed contact is free (kAny), tangential with gdot_N = 0
+  // (kTangential), or zero with gdot_N = gdot_T = 0 (kZero).
   enum class Velocity { kAny, kTangential, kZero };
   struct Closed {
     std::size_t contact = 0;

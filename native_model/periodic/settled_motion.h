@@ -16,8 +16,9 @@ struct SettlingParameters {
   double duration = 1.0;  // s, > 0, of the run until the first check, after the last switched load
   int most_checks = 7;    // the last one is 2^(n - 1) durations after the last switched load
   int most_periods = 6;   // n of the loads, or turns of a free spin, in one period of the motion
-  // Of the run and of its checks together, so that the effort does not depend on the processor. For
-  // a small system they take 2 s, for a shaft on many modes 10 s.
+  // Limit of the effort for the run and its checks together; counted in stretches of the run, so
+  // that the result does not depend on the processor. They take 2 s for a small system and 10 s for
+  // a shaft with many modes.
   std::int64_t most_stretches = 500'000;
   SearchParameters search{};
 };

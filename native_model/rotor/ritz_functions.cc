@@ -45,6 +45,25 @@ Eigen::MatrixXd inertia_integral(const std::vector<ShaftElement>& mesh, int firs
   return sum;
 }
 
+// The curvatures or twists integrated once, from the left end of the shaft to z, as a row of `size`
+// functions of which those of the elements begin at `first`.
+Eigen::RowVectorXd integrated_once(const std::vector<ShaftElement>& mesh, int first, int size,
+                                   double z) {
+  Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(size);
+  int at = first;
+  for (const ShaftElement& element : mesh) {
+    const double h = element.length();
+    if (z > element.to) {
+      row[at] = h;
+    } else if (z > element.from) {
+      row.segment(at, element.functions) =
+          0.5 * h * integrated_legendre(element.functions, local(element, z)).first.transpose();
+    }
+    at += element.all_functions();
+  }
+  return row;
+}
+
 }  // namespace
 
 BendingBasis::BendingBasis(std::vector<ShaftElement> mesh, double first_anchor,
@@ -79,21 +98,8 @@ Eigen::RowVectorXd BendingBasis::raw_deflection(double z) const {
   return row;
 }
 
-// Curvature integrated once.
 Eigen::RowVectorXd BendingBasis::raw_tilt(double z) const {
-  Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(size());
-  int at = 2;
-  for (const ShaftElement& element : mesh_) {
-    const double h = element.length();
-    if (z > element.to) {
-      row[at] = h;
-    } else if (z > element.from) {
-      row.segment(at, element.functions) =
-          0.5 * h * integrated_legendre(element.functions, local(element, z)).first.transpose();
-    }
-    at += element.all_functions();
-  }
-  return row;
+  return integrated_once(mesh_, 2, size(), z);
 }
 
 Eigen::RowVectorXd BendingBasis::deflection(double z) const {
@@ -154,19 +160,7 @@ TorsionBasis::TorsionBasis(std::vector<ShaftElement> mesh)
     : mesh_(std::move(mesh)), offset_(Eigen::RowVectorXd::Zero(function_count(mesh_))) {}
 
 Eigen::RowVectorXd TorsionBasis::angle(double z) const {
-  Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(size());
-  int at = 0;
-  for (const ShaftElement& element : mesh_) {
-    const double h = element.length();
-    if (z > element.to) {
-      row[at] = h;
-    } else if (z > element.from) {
-      row.segment(at, element.functions) =
-          0.5 * h * integrated_legendre(element.functions, local(element, z)).first.transpose();
-    }
-    at += element.functions;
-  }
-  return row - offset_;
+  return integrated_once(mesh_, 0, size(), z) - offset_;
 }
 
 Eigen::MatrixXd TorsionBasis::twist_integral() const { return inertia_integral(mesh_, 0, 2.0); }

@@ -106,8 +106,8 @@ std::vector<double> loaded_stations(const scene::Scene& scene) {
 }
 
 // First guess: the highest requested frequency (rad/s) of a uniform, simply supported shaft with
-// the largest diameter; with shear it lies below the frequency of bending alone and below that of
-// shear alone.
+// the largest diameter. With shear it lies below the frequency of a shaft that only bends and below
+// the frequency of a shaft that only shears.
 double pinned_frequency(const scene::RotorGeometry& geometry, int modes) {
   const double k = modes * std::numbers::pi / geometry.length;
   double diameter = 0.0;

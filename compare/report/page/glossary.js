@@ -1,4 +1,4 @@
-// What the words of a report and of a run's page mean (compare/docs/glossary.md has more).
+// The glossary of a report and of a run's page (compare/docs/glossary.md has more words).
 const words = [
   ['native', 'The program\'s own model of the scene, without MuJoCo. The other runs are judged against it.'],
   ['MuJoCo alone (cone)', 'MuJoCo\'s own soft contact with its own friction cone, as a model in MuJoCo has it.'],

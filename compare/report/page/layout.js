@@ -44,7 +44,7 @@ function rowOf({cells, note}, columns, labelled) {
   return note ? [row, element('tr', {class: 'row-note'}, element('td', {colspan: String(columns.length)}, note))] : [row];
 }
 
-// Those of a run have its colour in their headings. class: "cards-when-small" names each cell by its column.
+// A column of a run has the run's colour in its heading. class: "cards-when-small" names each cell by its column.
 function tableOf({caption, columns, rows, class: kind}, label) {
   const table = element('table', {class: kind, 'aria-label': !caption && label});
   if (caption) table.append(element('caption', {}, caption));

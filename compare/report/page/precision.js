@@ -40,7 +40,7 @@ function trace(scene, series, x, y, extra) {
     marker: {size: 8, symbol: points.map((p) => symbols[series.family] + (p.outcome === 'ok' ? '' : '-open')), color}}, extra);
 }
 
-// Of many decades every third is named.
+// If there are many decades, every third has a label.
 function log(title, values) {
   const given = values.filter((v) => v > 0), decades = Math.log10(Math.max(...given) / Math.min(...given));
   return axes({type: 'log', title: {text: title, standoff: 6}, exponentformat: 'power', dtick: decades > 8 ? 3 : 1});

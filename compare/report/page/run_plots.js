@@ -63,7 +63,7 @@ const kinds = [
     text: 'the rotor once a turn, second half: a point is synchronous, a cloud chaos'},
 ];
 
-// Those of a scene, in this order; contact: its number; place: the contact, where there are several.
+// The plots of a scene, in their order. contact: the number of the contact; place: the contact, if there are several.
 export function runPlots(scene) {
   const {contacts} = scene, runs = scene.sides.filter((side) => !side.measured && Object.keys(side.tracks).length > 0);
   const viewOf = (k) => ({scene, runs, contact: contacts[k], distribution: (run) => run.distribution[k],

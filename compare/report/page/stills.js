@@ -7,7 +7,7 @@ import {data, inTurn, isPrinting, show, whenNear} from './page.js';
 import {benchOf, precision} from './precision.js';
 import {rotorFigure} from './rotor.js';
 
-// Of each kind of plot: data-of.
+// Keyed by the kind of plot, the value of data-of.
 const figures = {
   loop: (plot) => loopFigure(data.loops[plot.dataset.index], plot.dataset.plot),
   bifurcation: () => bifurcationFigure(data.bifurcation),

@@ -42,7 +42,8 @@ TEST(Guesses, AWhipUnderWeight) {
   EXPECT_GT(figures.largest_force, figures.mean_force + 1.0);
 }
 
-// A shaft winds up while it sticks to the ring, and lets go: the period is that of the stick-slip.
+// The shaft winds up while it sticks to the ring, and then slips. Sticking and slipping repeat with
+// the period of the motion.
 TEST(Guesses, StickSlipWithFallingFriction) {
   const Model model = prepare(test::shipped("falling_friction"));
   const PeriodicMotion found = settled(model, 0.5);

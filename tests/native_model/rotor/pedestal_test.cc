@@ -35,19 +35,10 @@ scene::RotorGeometry on_pedestals(int modes) {
 TEST(Pedestal, SymmetricModesOfAShaft) {
   const scene::RotorGeometry g = on_pedestals(8);
   const RotorModes modes = rotor_modes(scene_of(g));
-  const double kG = cowper_coefficient(0.3, 0.0) * g.G, A = kShaft.area(), I = kShaft.inertia();
   const auto remainder = [&](double w) {
-    const double inertia = g.rho * w * w, half = 0.5 * g.length;
-    const double mean = 0.5 * inertia * (1.0 / g.E + 1.0 / kG);
-    const double root =
-        std::sqrt(std::pow(0.5 * inertia * (1.0 / g.E - 1.0 / kG), 2) + inertia * A / (g.E * I));
-    const double p = std::sqrt(root + mean), q = std::sqrt(root - mean), shear = inertia / kG;
-    const double a = (q * q + shear) * std::cosh(q * half);
-    const double b = -(shear - p * p) * std::cos(p * half);
+    const test::SymmetricEnd end = test::symmetric_end(g, w);
     const double base = kBase - kMass * w * w;
-    return (kFilm + base) * inertia * A *
-               (a * std::sin(p * half) / p + b * std::sinh(q * half) / q) -
-           kFilm * base * (a * std::cos(p * half) + b * std::cosh(q * half));
+    return (kFilm + base) * end.force - kFilm * base * end.deflection;
   };
   int roots = 0;
   for (int j = 0; j < 8; ++j) {

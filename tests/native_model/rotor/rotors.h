@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "native_model/linear/campbell.h"
+#include "native_model/rotor/shaft_basis.h"
 #include "native_model/scene/scene.h"
 #include "tests/support/oracles/shafts.h"
 
@@ -48,6 +49,25 @@ inline scene::RotorGeometry pinned_shaft(int modes, const oracle::RayleighShaft&
   g.bearings = {{.z = 0.0, .stiffness = {kPin, kPin}},
                 {.z = shaft.length, .stiffness = {kPin, kPin}}};
   return g;
+}
+
+// The end of a Timoshenko shaft like kShaft without a moment at its ends, in a symmetric motion of
+// the frequency w (rad/s): u = a cos(p s) + b cosh(q s), with s from the middle. Shear force and
+// deflection have a common factor; they balance at the frequencies of the shaft on its ends.
+struct SymmetricEnd {
+  double force, deflection;
+};
+inline SymmetricEnd symmetric_end(const scene::RotorGeometry& g, double w) {
+  const double kG = cowper_coefficient(0.3, 0.0) * g.G, A = kShaft.area(), I = kShaft.inertia();
+  const double inertia = g.rho * w * w, half = 0.5 * g.length;
+  const double mean = 0.5 * inertia * (1.0 / g.E + 1.0 / kG);
+  const double root =
+      std::sqrt(std::pow(0.5 * inertia * (1.0 / g.E - 1.0 / kG), 2) + inertia * A / (g.E * I));
+  const double p = std::sqrt(root + mean), q = std::sqrt(root - mean), shear = inertia / kG;
+  const double a = (q * q + shear) * std::cosh(q * half);
+  const double b = -(shear - p * p) * std::cos(p * half);
+  return {inertia * A * (a * std::sin(p * half) / p + b * std::sinh(q * half) / q),
+          a * std::cos(p * half) + b * std::cosh(q * half)};
 }
 
 // The rig of the shipped paper scenes.

@@ -15,7 +15,7 @@ export const units = {
   impulse: (v) => figure(v, [[1, 'N s'], [1e-3, 'mN s'], [1e-6, 'µN s']]),
   speed: (v) => figure(v, [[1, 'm/s'], [1e-3, 'mm/s'], [1e-6, 'µm/s']]),
   current: (v) => figure(v, [[1, 'A'], [1e-3, 'mA']]),
-  // What is finer than the page holds it is contact.
+  // A gap finer than the page can hold counts as contact.
   gap: (v, finest) => Math.abs(v) < finest ? '0' : v < 0 ? `${figure(-v, lengths)} deep` : figure(v, lengths),
   rpm: (v) => `${Math.round(v * 30 / Math.PI).toLocaleString('en')} rpm`,
   time: (v) => `${v.toFixed(6)} s`,
