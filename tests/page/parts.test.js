@@ -14,7 +14,11 @@ before(async () => {
   fs.writeFileSync(path.join(folder, 'study.toml'), `scene = "${scene('bench_ring')}"\n[sample]\nkind = "grid"\n` +
     '[[vary]]\nkey = "rotor.speed"\nfrom = "20 Hz"\nto = "60 Hz"\ncount = 4\n[[vary]]\nkey = "contact.friction"\nvalues = [0.05, 0.2, 0.4]\n');
   rotorub(['sweep', 'study.toml', '--set', 'run.end=0.02', '--quiet', '-o', 'with/ring']);
-  rotorub(['compare', scene('bench_ring'), scene('paper_magnetic'), '--end', '0.03', '--twins', '0', '--no-modes-ladder',
+  // Its commands name the scene by a path that is longer than a phone is wide.
+  const deep = path.join(folder, 'a_folder_with_a_long_name'.repeat(4));
+  fs.mkdirSync(deep);
+  fs.copyFileSync(scene('bench_ring'), path.join(deep, 'bench_ring.toml'));
+  rotorub(['compare', path.join(deep, 'bench_ring.toml'), scene('paper_magnetic'), '--end', '0.03', '--twins', '0', '--no-modes-ladder',
     '--no-video', '--quiet', '--with', 'with', '-o', '.'], [0, 1]);
   browser = await launch();
   page = await open(browser, 'report.html');
@@ -209,6 +213,12 @@ test('prints with all of it', async () => {
 
 test('400 px are enough for all of it', async () => {
   const phone = await open(browser, 'report.html', {width: 400, height: 800});
+  const out = await phone.evaluate(() => {
+    const scrolled = (e) => e !== document.body && (/auto|scroll|hidden|clip/.test(getComputedStyle(e).overflowX) || scrolled(e.parentElement));
+    return [...document.body.querySelectorAll('*')].filter((e) => e.getBoundingClientRect().right > innerWidth + 1 && !scrolled(e.parentElement))
+      .map((e) => `${e.localName} ${e.className}, right edge ${Math.round(e.getBoundingClientRect().right)}: ${e.textContent.trim().slice(0, 60)}`);
+  });
+  assert.deepEqual(out, []);
   assert.ok(await phone.evaluate(() => document.scrollingElement.scrollWidth) <= 400);
   const cases = await phone.evaluate(() => { const t = document.querySelector('#cases table'); return [t.scrollWidth, t.parentElement.clientWidth]; });
   assert.ok(cases[0] <= cases[1] + 1, `hard cases are ${cases[0]} px wide in ${cases[1]}`);
