@@ -82,6 +82,14 @@ bool EventIntegrator::release_if_unloaded(std::size_t k) {
   return true;
 }
 
+// While a compliant contact sticks, the error of the steps lets its slip drift. A drift against the
+// slip that begins would stop it at once.
+void EventIntegrator::hold_without_slip(std::size_t k) {
+  Closed held = phase_.rigid_contacts();
+  held.push_back({k, Constraint::Velocity::kNoSlip});
+  project(held);
+}
+
 void EventIntegrator::compliant_margin_reached(std::size_t k) {
   step_.evaluate(motion_);
   const ContactState was = phase_.state(k);
@@ -104,6 +112,7 @@ void EventIntegrator::compliant_margin_reached(std::size_t k) {
     case PhaseEnd::kSlipStops:
       return decide_one(k, Constraint::Velocity::kZero);
     case PhaseEnd::kSlipBegins:  // against friction at its limit
+      hold_without_slip(k);
       return change_to(k, {Mode::kSlide, force.friction > 0.0 ? -1.0 : 1.0});
   }
 }

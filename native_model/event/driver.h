@@ -113,6 +113,7 @@ class EventIntegrator {
   void begin_touch(std::size_t contact, double hunt_crossley);
   double parting_acceleration(std::size_t contact);
   void compliant_margin_reached(std::size_t contact);
+  void hold_without_slip(std::size_t contact);
   void release(const ClosedContact& at);
   bool release_if_unloaded(std::size_t contact);
   void decide(const Closed& resting);

@@ -33,15 +33,16 @@ class Constraint {
              double friction, std::size_t contact = 0);
 
   // The relative velocity of a closed contact is free (kAny), tangential with gdot_N = 0
-  // (kTangential), or zero with gdot_N = gdot_T = 0 (kZero).
-  enum class Velocity { kAny, kTangential, kZero };
+  // (kTangential), or zero with gdot_N = gdot_T = 0 (kZero). A compliant contact that sticks has
+  // gdot_T = 0 alone (kNoSlip) and is on no circle.
+  enum class Velocity { kAny, kTangential, kZero, kNoSlip };
   struct Closed {
     std::size_t contact = 0;
     Velocity velocity = Velocity::kAny;
   };
   // Moves q onto the circles of all closed contacts, g_N = 0.
   void to_circles(double t, double* q, const double* v, std::span<const Closed> closed);
-  // Calls to_circles(), then makes the conditions on the velocities hold.
+  // Calls to_circles() for all that are on one, then makes the conditions on the velocities hold.
   void project(double t, double* q, double* v, std::span<const Closed> closed);
 
  private:

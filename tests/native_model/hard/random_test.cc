@@ -124,6 +124,16 @@ void expect_event_settles(int scenes) {
 
 TEST(HardRandomContactsLong, EventSettlesEveryOne) { expect_event_settles(30); }
 
+// Scene 430 has two contacts: a rigid one sticks while the compliant one begins to slip, against a
+// slip of 1.5e-9 of its speed to which it had drifted.
+TEST(HardRandomContacts, ADriftDoesNotStopASlipThatBegins) {
+  RandomShafts shafts(17);
+  for (int k = 0; k < 430; ++k) shafts.next();
+  const Trajectory t = test::attempt_event(shafts.next());
+  EXPECT_EQ(t.status, Status::kOk) << t.message;
+  EXPECT_LT(t.statistics.energy_residual(), 1e-8);
+}
+
 TEST(HardRandomContactsNightly, EventSettlesEveryOne) { expect_event_settles(600); }
 
 }  // namespace
