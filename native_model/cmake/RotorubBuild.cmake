@@ -33,9 +33,9 @@ if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   add_compile_options(-fpch-preprocess)
 endif()
 
-# The same bits on every machine: no contraction to FMA, never -ffast-math or -march=native, and the mathematical
-# functions of one library (RotorubMath). No errno, so that square roots of several numbers at once are one
-# instruction.
+# Nothing here depends on the processor: no contraction to FMA, never -ffast-math or -march=native. Only the C library's
+# sin, pow, ... do, in their last bit (tests/package/frozen has what this may change). No errno, so that square roots
+# of several numbers at once are one instruction.
 add_compile_options(-ffp-contract=off -fno-math-errno)
 # Eigen would split products of matrices by the sizes of this processor's caches, and sum in another order on the
 # next: by its own defaults instead (tests/native_model/numerics/cache_sizes_test.cc).

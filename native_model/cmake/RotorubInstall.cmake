@@ -29,14 +29,6 @@ install(
         "${CMAKE_CURRENT_LIST_DIR}/RotorubMujoco.cmake"
   DESTINATION "${ROTORUB_PACKAGE_DIR}")
 
-# The licence of the mathematical functions that every product holds (RotorubMath).
-if(ROTORUB_OWN_MATH)
-  install(
-    FILES /usr/share/doc/musl-dev/copyright
-    DESTINATION "${CMAKE_INSTALL_DOCDIR}"
-    RENAME musl-copyright OPTIONAL)
-endif()
-
 # The products of use: the program, the library to preload, the scenes.
 install(TARGETS rotorub rotorub_mujoco RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}"
                                        LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")

@@ -44,8 +44,7 @@ SteppedLoads::SteppedLoads(const Model& model, double h) : model_(&model) {
     load.of = &force;
     load.switched = force.on > 0.0 || force.off < scene::kNever || force.ramp > 0.0;
     load.off = std::max(force.on, force.off);
-    load.turn_cosine = std::cos(force.frequency * h);
-    load.turn_sine = std::sin(force.frequency * h);
+    sine_cosine(force.frequency * h, load.turn_sine, load.turn_cosine);
   }
 }
 
@@ -63,9 +62,7 @@ void SteppedLoads::advance(std::int64_t k, double t, double begin, double end) {
     const bool rotates = load.of->kind == scene::ForceKind::kRotating;
     const bool sweeps = load.of->kind == scene::ForceKind::kChirp;  // not by a fixed angle per step
     if (sweeps || (rotates && k % kResync == 0)) {
-      const double angle = load.of->angle(t, 0.0);
-      load.cosine = std::cos(angle);
-      load.sine = std::sin(angle);
+      sine_cosine(load.of->angle(t, 0.0), load.sine, load.cosine);
     } else if (rotates) {
       const double c = load.cosine, s = load.sine;
       load.cosine = c * load.turn_cosine - s * load.turn_sine;

@@ -47,8 +47,8 @@ async function compared(name, changes) {
 
 after(() => fs.rmSync(folder, {recursive: true, force: true}));
 
-// Impact after impact to the end of a run that bounces; stick and slip, a controller, two contacts, a shaft that runs
-// up, a contact that gives, each of the fixed steps.
+// Impact after impact in a run that bounces; stick and slip, a controller, two contacts, a shaft that runs up, a compliant
+// contact, each of the fixed steps. The two C libraries differ in the last bit of exp, pow, ..., which a long chaotic run shows.
 for (const [name, least, ...changes] of [
   ['paper_sliding', 6],
   ['paper_sliding', 6, 'contact.friction=0.45', 'contact.clearance=0.4 mm', 'controller.preload=20 N'],
@@ -60,7 +60,7 @@ for (const [name, least, ...changes] of [
   ['blade_loss', 1],
   ['run_up_rub', 1],
   ['compliant_ring', 1],
-  ['falling_friction', 0],
+  ['falling_friction', 0, 'run.end=0.1'],  // then each stick ends on its last bits
 ]) {
   test(`${name} ${changes.join(', ')}`, async () => {
     const {impacts, found} = await compared(name, changes);
