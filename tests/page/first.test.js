@@ -1,6 +1,6 @@
 // The first screen of a report, on a wide screen, a small one, on paper and by keyboard.
 import {after, before, test} from 'node:test';
-import {assert, launch, open, rotorub, scene, state} from './support.js';
+import {assert, eventually, launch, open, rotorub, scene, state} from './support.js';
 
 let browser, page;
 before(async () => {
@@ -44,6 +44,20 @@ test('the picture shows native and MuJoCo alone apart', async () => {
   }
   assert.ok(apart.most > 5, `${apart.most} um, a hundredth of the clearance`);
   assert.deepEqual((await state(page)).runs, ['native', 'cone']);
+});
+
+test('the pointer over the picture marks its instant there and in the plots and the player of the scene', async () => {
+  await page.waitForFunction(() => document.querySelector('.first .plot .looked'));
+  const area = await page.locator('.first .nsewdrag').first().boundingBox();
+  await page.mouse.move(area.x + 0.5 * area.width, area.y + 20);
+  const asked = await page.evaluate(() => { const [from, to] = document.querySelector('.first .plot')._fullLayout.xaxis.range; return 0.5 * (from + to); });
+  const shown = () => page.evaluate(() => ({here: !document.querySelector('.first .looked').hidden, t: Number.parseFloat(document.querySelector('.transport .time').textContent)}));
+  await eventually(async () => {
+    const {here, t} = await shown();
+    assert.ok(here && Math.abs(t - asked) < 5e-4, `${t} is not ${asked}`);
+  });
+  await page.mouse.move(2, 2);
+  await eventually(async () => assert.equal((await shown()).here, false));
 });
 
 test('the verdicts have room at 1400 px', async () => {

@@ -45,7 +45,7 @@ function reachTables() {
 // Before the page is drawn.
 export function foldParts() {
   if (small()) for (const part of document.querySelectorAll('details.later')) part.open = false;
-  document.querySelectorAll('.plots .plot-grid').forEach(shorten);
+  document.querySelectorAll(`${small() ? '' : '.scene '}.plots .plot-grid`).forEach(shorten);
   addEventListener('hashchange', openTarget);
   if (location.hash) openTarget();
   reachTables();

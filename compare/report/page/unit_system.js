@@ -67,10 +67,11 @@ const written = new Map();  // the text in SI of each node that was converted
 export const siText = (node) => (node.nodeType === 3 ? written.get(node) ?? node.data : [...node.childNodes].map(siText).join(''));
 const isHeading = (element) => element.matches('th, figcaption .unit');
 
+const headsOf = (cell) => [...(cell.closest('table').tHead?.rows[0]?.cells ?? [])].map(siText);
+
 // Of a number in a table: of a column "unit", else of its column's heading, else of its row's.
 function unitBeside(cell) {
-  const table = cell.closest('table'), heads = [...(table.tHead?.rows[0]?.cells ?? [])].map(siText), {cells} = cell.parentElement;
-  const column = heads.indexOf('unit');
+  const heads = headsOf(cell), column = heads.indexOf('unit'), {cells} = cell.parentElement;
   return column >= 0 ? siText(cells[column]) : unitOf(heads[cell.cellIndex]) ?? (cells[0] === cell ? undefined : unitOf(siText(cells[0])));
 }
 
@@ -80,7 +81,7 @@ export function convertTexts(root) {
   while (walker.nextNode()) if (walker.currentNode.data.trim() && !walker.currentNode.parentElement.closest(kSkipped)) nodes.push(walker.currentNode);
   for (const node of nodes) {
     const element = node.parentElement, si = siText(node), cell = element.closest('td');
-    const made = isHeading(element) || (cell && kinds.has(si)) ? headingInUnits(inUnits(si)) : inUnits(si, cell ? unitBeside(cell) : undefined);
+    const made = isHeading(element) || (cell && headsOf(cell)[cell.cellIndex] === 'unit') ? headingInUnits(inUnits(si)) : inUnits(si, cell ? unitBeside(cell) : undefined);
     if (made === node.data) continue;
     written.set(node, si);
     node.data = made;
