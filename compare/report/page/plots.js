@@ -106,7 +106,7 @@ export class ScenePlots {
   draw(plot) {
     const {plot: key, over} = plot.dataset;
     const range = over === 'turns' ? this.turns() : this.range;
-    const {data, layout, at} = sceneFigure(this.viewOf(plot), key, over, range, this.hidden, plot.clientWidth);
+    const {data, layout, at} = sceneFigure(this.viewOf(plot), {key, over, range, hidden: this.hidden, width: plot.clientWidth});
     plot.at = at;
     data.forEach((trace) => { trace.visible = this.hidden.has(trace.meta) ? 'legendonly' : trace.visible || true; });
     const first = !plot.classList.contains('drawn');

@@ -2,7 +2,8 @@
 // series; "impacts" and "law": one point per impact, over time or on a law; "path": on the characteristic of what drives the
 // run; "turns": positions over the last turns; "whirl" and "spread": independent of the time window; "runup": over the spin
 // speed. `has`: whether there is data for it, of a view {scene, runs, contact, impacts and track of a run} of one
-// contact. A plot stands once, or, with `each`, once for each contact.
+// contact. A plot stands once, or, with `each`, once for each contact. A new plot is a line here, and
+// a function in a module of its own and a line in traces.js if no other of its kind draws it.
 const always = () => true;
 const touches = ({contact}) => contact.touches;
 // A track of two knots is a constant, and a few points show no law: such a plot is left out.

@@ -6,7 +6,7 @@ import {runUpFigure} from './runup.js';
 import {opened, openedCurve, thinned} from './scales.js';
 import {minusFigure, spreadFigure} from './spread.js';
 import {axes, css, decades, isFront, layout, line, notesAbove, number, symbol, titled} from './style.js';
-import {isWhirl, ranges, whirlFigure} from './whirl.js';
+import {ranges, whirlFigure} from './whirl.js';
 
 const kBuckets = 700;   // of a trace: two points each
 const kTurn = 2 * Math.PI;
@@ -131,7 +131,7 @@ export function heightFor(traces) {
   return notes.length ? {axis: {range}, notes} : {};
 }
 
-function turnsPlot({contact, runs}, key, range, hidden) {
+function turnsPlot({contact, runs}, {key, range, hidden}) {
   // One, but for a run that was computed with another.
   const radii = [...new Set([contact, ...runs].map(({clearance}) => 1e6 * clearance))].filter((r) => r > 0);
   const circles = radii.map((r) => ({type: 'circle', x0: -r, x1: r, y0: -r, y1: r, line: {color: css('--soft'), width: 1, dash: 'dash'}}));
@@ -147,7 +147,7 @@ function turnsPlot({contact, runs}, key, range, hidden) {
     layout: layout({hovermode: 'closest', margin, annotations: [...marks.arrows, ...annotations], shapes: orbit ? [] : circles,
       xaxis: titled('x / µm', square(x)), yaxis: titled('y / µm', {...square(y), scaleanchor: 'x'})})};
 }
-function timePlot(view, key, over, range) {
+function timePlot(view, {key, over, range}) {
   const impacts = over === 'impacts';
   const data = impacts ? impactTraces(view.runs, key) : [...uncontrolledTraces(view, key, range), ...timeTraces(view.runs, key, range)];
   const height = key.endsWith('_force') ? heightFor(data) : {};
@@ -155,20 +155,23 @@ function timePlot(view, key, over, range) {
     xaxis: axes({title: {text: 't / s', standoff: 6}, automargin: false, range: range.slice(), hoverformat: '.6f'}), yaxis: axes(impacts ? decades : height.axis)})};
 }
 
-// view: {scene, number, contact, runs}, at one of the scene's contacts. hidden: labels of the runs that the reader has
-// put away; width: px, of the plot.
-export function sceneFigure(view, key, over, range, hidden, width) {
-  if (over === 'rotor') return rotorFigure(view.scene.rotor, key, width);
-  if (isWhirl(key)) return whirlFigure(view.scene, key, range, hidden);
-  if (over === 'turns') return turnsPlot(view, key, range, hidden);
-  if (over === 'runup') return runUpFigure(key, view.scene, view.runs, hidden);
-  if (over === 'spread') return spreadFigure(key, view.runs);
-  if (key === 'measured_minus') return minusFigure(view.runs, range);
-  if (over === 'time' || over === 'impacts') return timePlot(view, key, over, range);
-  const law = over === 'law';
-  const titles = key === 'normal_law' ? ['before / (m/s)', 'after / (m/s)'] :
-    law ? ['slip after / (m/s)', 'tangential / (friction × normal)'] :
-      key === 'motor' ? ['speed / rpm', 'torque / N m'] : ['current / A', 'force / N'];
-  return {data: law ? impactTraces(view.runs, key) : pathTraces(view, key, range),
-    layout: layout({hovermode: 'closest', shapes: law ? lawShapes(view, key) : [], xaxis: titled(titles[0]), yaxis: titled(titles[1])})};
-}
+const axisTitles = {normal_law: ['before / (m/s)', 'after / (m/s)'], friction_law: ['slip after / (m/s)', 'tangential / (friction × normal)'],
+  motor: ['speed / rpm', 'torque / N m'], actuator: ['current / A', 'force / N']};
+const planeFigure = (key, data, shapes = []) => ({data, layout: layout({hovermode: 'closest', shapes, xaxis: titled(axisTitles[key][0]), yaxis: titled(axisTitles[key][1])})});
+
+// Draws a plot of its own, by its key, or one of a kind, by what it is drawn over (run_plots.js).
+const figures = {
+  time: timePlot, impacts: timePlot, turns: turnsPlot,
+  law: (view, {key}) => planeFigure(key, impactTraces(view.runs, key), lawShapes(view, key)),
+  path: (view, {key, range}) => planeFigure(key, pathTraces(view, key, range)),
+  measured_minus: ({runs}, {range}) => minusFigure(runs, range),
+  residual: ({scene}, {key, range, hidden}) => whirlFigure(scene, key, range, hidden),
+  whirl: ({scene}, {key, range, hidden}) => whirlFigure(scene, key, range, hidden),
+  runup: ({scene, runs}, {key, hidden}) => runUpFigure(key, scene, runs, hidden),
+  spread: ({runs}, {key}) => spreadFigure(key, runs),
+  rotor: ({scene}, {key, width}) => rotorFigure(scene.rotor, key, width),
+};
+
+// view: {scene, number, contact, runs}, at one of the scene's contacts. plot: {key, over, range, hidden: labels of the runs that
+// the reader has put away, width: px}.
+export const sceneFigure = (view, plot) => (figures[plot.key] ?? figures[plot.over])(view, plot);

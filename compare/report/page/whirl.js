@@ -74,6 +74,5 @@ function residual(scene, range) {
 }
 
 const figures = {spectrum, waterfall, poincare, residual};
-export const isWhirl = (key) => key in figures;
 // hidden: labels of the runs that are put away; range: of time.
 export const whirlFigure = (scene, key, range, hidden) => figures[key](scene, range, hidden);
