@@ -27,7 +27,7 @@ export function runCards({summary, contacts, rotor}) {
     card('First contact', units.duration(Number(touch.toPrecision(4))), `in contact for ${percent(summary.contact_fraction)} of the time after it`),
     card('Mean normal force', units.force(summary.mean_force), 'from the first contact on, with impacts'),
     impulse > 0 ? card('Largest impact', units.impulse(impulse), counted) : card('Largest force', units.force(force ?? 0), counted),
-  ] : [card('First contact', 'none', gap === null ? 'in this run' : `smallest gap ${units.length(gap)}, ${percent(gap / contacts[0].clearance)} of the clearance`)];
+  ] : [card('First contact', 'none', typeof gap !== 'number' ? 'in this run' : `smallest gap ${units.length(gap)}, ${percent(gap / contacts[0].clearance)} of the clearance`)];
   return [...ofContact,
     card('Settles to', settled?.attractor ?? 'unknown', settled?.whirl_frequency ?
       `whirl at ${short(settled.whirl_frequency / (2 * Math.PI))} Hz in the last fifth of the run` : 'in the last fifth of the run'),
