@@ -11,7 +11,6 @@
 #include "compare/report/page_frame.h"
 #include "compare/report/plot_points.h"
 #include "compare/report/plots.h"
-#include "compare/report/trade.h"
 #include "compare/report/what_if.h"
 #include "compare/run_files/summary.h"
 #include "compare/study/result.h"
@@ -54,7 +53,6 @@ std::string report_page(const std::vector<PageScene>& scenes, const Beside& besi
             {"benches", beside.benches},
             {"maps", beside.maps}};
   std::vector<std::string> names;
-  std::vector<const SceneComparison*> comparisons;
   result::Section found;
   for (const PageScene& scene : scenes) {
     const SceneComparison& c = *scene.comparison;
@@ -72,14 +70,12 @@ std::string report_page(const std::vector<PageScene>& scenes, const Beside& besi
     shown["no_films"] = scene.no_films;
     shown["setting"] = scene.setting;
     names.push_back(c.scene.name);
-    comparisons.push_back(&c);
     found.add({std::move(compared)});
   }
   const SceneComparison* first = scenes.empty() ? nullptr : scenes.front().comparison;
   const std::string mode = to_string(first ? first->mode : CompareMode::kLockstep);
   data["mode"] = mode;
   data["tolerance"] = first ? first->tolerance : 0.0;
-  data["trade"] = trade_data(comparisons);
   return page_of(
       {fmt::format("{}", fmt::join(names, ", ")), mode + " comparison",
        "Can MuJoCo's contact forces be trusted?"},
