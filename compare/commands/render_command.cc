@@ -139,7 +139,7 @@ int render_film(const RenderArguments& options) {
   FilmRequest request = film_request(options.film);
   const bool is_run = std::filesystem::is_directory(options.source);
   StoredRun run =
-      is_run ? stored(options) : StoredRun{scene_for_film(options, request.options), {}};
+      is_run ? stored(options) : StoredRun{scene_for_film(options, request.options), {}, {}};
   const std::string file = options.film.file.empty()
                                ? run.scene.name + renders::extension(request.format)
                                : options.film.file;

@@ -15,6 +15,7 @@
 #include "compare/report/sweep_page.h"
 #include "compare/result/result.h"
 #include "compare/run_files/run_directory.h"
+#include "compare/run_files/summary.h"
 #include "compare/sweep/bifurcation.h"
 #include "compare/sweep/group_statistics.h"
 #include "compare/sweep/point_result.h"
@@ -112,11 +113,12 @@ int keep_points(const SweepArguments& options, const Sweep& sweep) {
   result::Section all;
   for (const std::int64_t point : options.points) {
     const std::string name = point_folder(point);
-    StoredRun kept{sweep.scenes->whole_at(point), {}};
+    StoredRun kept{sweep.scenes->whole_at(point), {}, {}};
     kept.trajectory = run_shown(*sweep::engine_of(sweep.study, kept.scene), kept.scene, name,
                                 options.quiet || options.json);
     const path folder = sweep.folder / name;
     write_run(folder, kept.scene, kept.trajectory);
+    kept.summary = summary_json(kept.scene, kept.trajectory);
     write_whole(folder / kRunPage, run_page(kept, std::nullopt));
     const std::string status = to_string(kept.trajectory.status);
     const result::Section made{

@@ -86,18 +86,16 @@ class SideMaker {
     json none = json::object();
     for (const char* list : {"t", "y", "friction", "before", "after", "slip", "share"})
       none[list] = json::array();
-    return {
-        {"label", kMeasured},
-        {"measured", true},
-        {"status", to_string(Status::kOk)},
-        {"start", laid_.t.front()},
-        {"end", laid_.t.back()},
-        {"tracks", tracks_},
-        {"holes", holes_},
-        {"absent", absent()},
-        {"whirl", whirl(limit)},
-        {"impacts", json(scene.auxiliary.size(), none)},
-        {"distribution", json(scene.auxiliary.size(), {{"force", nullptr}, {"impulse", nullptr}})}};
+    return {{"label", kMeasured},
+            {"measured", true},
+            {"status", to_string(Status::kOk)},
+            {"start", laid_.t.front()},
+            {"end", laid_.t.back()},
+            {"tracks", tracks_},
+            {"holes", holes_},
+            {"absent", absent()},
+            {"whirl", whirl(limit)},
+            {"impacts", json(scene.auxiliary.size(), none)}};
   }
 
  private:

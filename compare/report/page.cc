@@ -11,7 +11,6 @@
 #include "compare/report/page_frame.h"
 #include "compare/report/plot_points.h"
 #include "compare/report/plots.h"
-#include "compare/report/trade.h"
 #include "compare/report/what_if.h"
 #include "compare/run_files/summary.h"
 #include "compare/study/result.h"
@@ -54,7 +53,6 @@ std::string report_page(const std::vector<PageScene>& scenes, const Beside& besi
             {"benches", beside.benches},
             {"maps", beside.maps}};
   std::vector<std::string> names;
-  std::vector<const SceneComparison*> comparisons;
   result::Section found;
   for (const PageScene& scene : scenes) {
     const SceneComparison& c = *scene.comparison;
@@ -64,6 +62,7 @@ std::string report_page(const std::vector<PageScene>& scenes, const Beside& besi
     const json all = json_of(compared);
     for (const auto& [label, model] : all.at("differences").items())
       shown["impacts"][label] = model.at("impacts");
+    shown["summary"] = all.at("runs").at(c.native.label).at("metrics");
     shown["twins"] = c.twins;
     shown["films"] = list_of(scene.films, [](const Film& film) -> json {
       return {{"link", film.link}, {"caption", film.caption}};
@@ -71,14 +70,12 @@ std::string report_page(const std::vector<PageScene>& scenes, const Beside& besi
     shown["no_films"] = scene.no_films;
     shown["setting"] = scene.setting;
     names.push_back(c.scene.name);
-    comparisons.push_back(&c);
     found.add({std::move(compared)});
   }
-  const SceneComparison* first = scenes.empty() ? nullptr : comparisons.front();
+  const SceneComparison* first = scenes.empty() ? nullptr : scenes.front().comparison;
   const std::string mode = to_string(first ? first->mode : CompareMode::kLockstep);
   data["mode"] = mode;
   data["tolerance"] = first ? first->tolerance : 0.0;
-  data["trade"] = trade_data(comparisons);
   return page_of(
       {fmt::format("{}", fmt::join(names, ", ")), mode + " comparison",
        "Can MuJoCo's contact forces be trusted?"},
@@ -90,8 +87,12 @@ std::string report_page(const std::vector<PageScene>& scenes, const Beside& besi
 
 std::string run_page(const StoredRun& run, const std::optional<StoredRun>& shadow) {
   const bool ok = run.trajectory.status == Status::kOk;
-  return page_of({run.scene.name, "one run", run.scene.name}, run_result(run.scene, run.trajectory),
-                 {{"scenes", json::array({live_data(shown_runs(run, shadow))})},
+  const result::Section found = kept_result(run.summary);
+  json scene = live_data(shown_runs(run, shadow));
+  scene["parts"] = page_json(found);
+  scene["summary"] = run.summary;
+  return page_of({run.scene.name, "one run", run.scene.name}, found,
+                 {{"scenes", json::array({std::move(scene)})},
                   {"versions", versions()},
                   {"ending", {{"text", ending(run)}, {"tone", ok ? "" : "bad"}}}},
                  "Between rows of the series the page draws a cubic through places and speeds; the "

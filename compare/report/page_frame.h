@@ -19,7 +19,7 @@ struct PageHead {
 // A page, which its script lays out. found: the result, which a browser without scripts shows as
 // text. data: what the script lays out and draws. With "scenes" (plots.h) it is laid out by
 // page/report.js, otherwise from "page", a list of parts for page/layout.js, by page/still.js. The
-// plots are drawn from "trade", "rotor" (modes_page.h), "loops" (loop_page.h), "benches"
+// plots are drawn from "rotor" (modes_page.h), "loops" (loop_page.h), "benches"
 // ("scenes" of bench.json) and "maps" (sweep_page.h).
 std::string page_of(const PageHead& head, const result::Section& found, const nlohmann::json& data,
                     const std::string& footer);

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "compare/base/units.h"
-#include "compare/report/contact_plots.h"
 #include "compare/report/pack/packed_run.h"
 #include "compare/report/plot_points.h"
 #include "compare/report/whirl_plots.h"
+#include "native_model/trajectory/recorder.h"
 
 namespace rotorub {
 
@@ -44,12 +44,12 @@ json impact_data(const Trajectory& run, std::size_t contact, double friction) {
 
 json run_data(const scene::Scene& scene, const std::string& label, const Trajectory& run,
               const Trajectory* first, const renders::Machine* machine, double limit) {
-  json impacts = json::array(), contacts = json::array();
+  json impacts = json::array();
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
-    contacts.push_back(contact_distribution(run, k, scene.is_compliant()));
     const auto& contact = scene.auxiliary[k].contact;
     impacts.push_back(impact_data(run, k, contact ? contact->friction.sticking() : 0.0));
   }
+  const bool soft = !run.is_rigid() && run.contact_model != "compliant" && !scene.is_compliant();
   return {{"label", label},
           {"end", run.end},
           {"status", to_string(run.status)},
@@ -63,7 +63,7 @@ json run_data(const scene::Scene& scene, const std::string& label, const Traject
           {"tracks", packed_run_json(machine ? pack_run(scene, *machine, run) : PackedRun())},
           {"whirl", whirl_data(run, first, limit)},
           {"impacts", impacts},
-          {"distribution", contacts}};
+          {"longest_impact", soft ? json(kWindowSteps * run.step) : json()}};
 }
 
 }  // namespace rotorub

@@ -226,8 +226,8 @@ StoredRun read_run(const path& folder) {
         folder.string() +
         ": is a run of a machine of your own, which only the report of its comparison shows");
   }
-  const nlohmann::json summary = summary_of(folder / kSummary);
   StoredRun run;
+  const nlohmann::json& summary = run.summary = summary_of(folder / kSummary);
   Trajectory& t = run.trajectory;
   try {
     run.scene = read_kept_scene(folder / kScene, summary.at("scene").get<std::string>());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -36,7 +37,8 @@ class BrokenRun : public std::runtime_error {
 
 struct StoredRun {
   scene::Scene scene;
-  Trajectory trajectory;  // without statistics
+  Trajectory trajectory;     // without statistics
+  nlohmann::json summary{};  // of summary.json
 };
 
 // Reads the output of write_run. Throws BrokenRun or scene::SceneError if it is not readable.

@@ -29,6 +29,9 @@ std::string rub_answer(const Metrics& metrics, std::optional<double> cut = {});
 // JSON summary_json.
 result::Section run_result(const scene::Scene& scene, const Trajectory& trajectory);
 
+// For people the same answer and the figures of a kept run, from its summary_json.
+result::Section kept_result(const nlohmann::json& summary);
+
 // The keys of summary_json; "above_modes.contact_share" is within "above_modes".
 std::span<const ColumnMeaning> summary_keys();
 

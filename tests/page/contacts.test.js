@@ -64,7 +64,7 @@ test('plots of each contact stand side by side under its name and show its colum
     const most = 1e6 * Math.max(...rows.map((row) => Number(row[column])));
     assert.ok(Math.abs(last - most) < 0.02 * most, `${last} is not ${most}`);
   }
-  assert.equal(await page.locator('.plot[data-plot="spin"]').count(), 1);
+  assert.equal(await page.locator('.plot[data-plot="spectrum"]').count(), 1);
   assert.equal(await page.locator('.plot[data-plot="impacts"]').count(), 2);
 });
 

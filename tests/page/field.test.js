@@ -15,7 +15,7 @@ async function drawn(page, key) {
   await page.waitForFunction((s) => (document.querySelector(s)._fullData || []).length > 0, selector);
   return page.evaluate((s) => {
     const plot = document.querySelector(s);
-    return {notes: (plot.layout.annotations || []).map((a) => a.text).filter((text) => text),
+    return {notes: (plot.layout.annotations || []).map((a) => a.text?.replace(/<[^>]*>/g, '')).filter((text) => text),
       traces: plot._fullData.map((d) => ({name: d.name, mode: d.mode, axis: d.yaxis, symbol: d.marker?.symbol, x: [...d.x], y: [...d.y]}))};
   }, selector);
 }

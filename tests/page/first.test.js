@@ -1,6 +1,6 @@
 // The first screen of a report, on a wide screen, a small one, on paper and by keyboard.
 import {after, before, test} from 'node:test';
-import {assert, launch, open, rotorub, scene, state} from './support.js';
+import {assert, eventually, launch, open, rotorub, scene, state} from './support.js';
 
 let browser, page;
 before(async () => {
@@ -46,6 +46,20 @@ test('the picture shows native and MuJoCo alone apart', async () => {
   assert.deepEqual((await state(page)).runs, ['native', 'cone']);
 });
 
+test('the pointer over the picture marks its instant there and in the plots and the player of the scene', async () => {
+  await page.waitForFunction(() => document.querySelector('.first .plot .looked'));
+  const area = await page.locator('.first .nsewdrag').first().boundingBox();
+  await page.mouse.move(area.x + 0.5 * area.width, area.y + 20);
+  const asked = await page.evaluate(() => { const [from, to] = document.querySelector('.first .plot')._fullLayout.xaxis.range; return 0.5 * (from + to); });
+  const shown = () => page.evaluate(() => ({here: !document.querySelector('.first .looked').hidden, t: Number.parseFloat(document.querySelector('.transport .time').textContent)}));
+  await eventually(async () => {
+    const {here, t} = await shown();
+    assert.ok(here && Math.abs(t - asked) < 5e-4, `${t} is not ${asked}`);
+  });
+  await page.mouse.move(2, 2);
+  await eventually(async () => assert.equal((await shown()).here, false));
+});
+
 test('the verdicts have room at 1400 px', async () => {
   await page.setViewportSize({width: 1400, height: 1000});
   const wide = await page.evaluate(() => [...document.querySelectorAll('.answer')].map((e) => e.scrollWidth - e.clientWidth));
@@ -53,8 +67,21 @@ test('the verdicts have room at 1400 px', async () => {
   await page.setViewportSize({width: 1200, height: 1000});
 });
 
+test('a wide page begins short: what decides nothing is folded, and a link or a button opens it', async () => {
+  const wide = await open(browser, 'report.html', {width: 1280, folded: true});
+  const looks = await wide.evaluate(() => ({height: document.documentElement.scrollHeight, open: document.querySelectorAll('.scene > details.later[open]').length,
+    plots: [...document.querySelectorAll('.plots .plot')].filter((p) => p.offsetParent).length, all: document.querySelectorAll('.plots .plot').length}));
+  assert.ok(looks.height < 6500, `${looks.height} px`);
+  assert.deepEqual([looks.open, looks.plots], [0, 6]);
+  await wide.evaluate(() => { location.hash = 'scene-1-figures'; });
+  await wide.waitForFunction(() => document.getElementById('scene-1-figures').open);
+  await wide.locator('.more-plots').click();
+  assert.equal(await wide.evaluate(() => [...document.querySelectorAll('.plots .plot')].filter((p) => p.offsetParent).length), looks.all);
+  await wide.close();
+});
+
 test('a small screen has cards, folded parts, and a short page on which nothing is cut off', async () => {
-  const phone = await open(browser, 'report.html', {width: 390, height: 844});
+  const phone = await open(browser, 'report.html', {width: 390, height: 844, folded: true});
   const looks = await phone.evaluate(() => ({height: document.documentElement.scrollHeight, width: document.documentElement.scrollWidth,
     open: document.querySelectorAll('details.later[open]').length, card: getComputedStyle(document.querySelector('.answer tbody tr')).display}));
   assert.ok(looks.height < 12200, `${looks.height} px`); // with the solrefs of the soft contacts
@@ -115,6 +142,8 @@ test('on paper: the answer, every table and every plot once in its place, no pla
     return {missing: plots.length - shown('.plot.drawn'), out, over, player: shown('.player, .transport, .glossary'), theme: document.documentElement.dataset.theme};
   });
   assert.deepEqual(looks, {missing: 0, out: [], over: false, player: 0, theme: 'light'});
+  // The first page has the answer, not the title alone.
+  assert.ok((await paper.pdf({format: 'A4', pageRanges: '1'})).length > 40000);
   const pdf = await paper.pdf({format: 'A4'});
   assert.equal(pdf.subarray(0, 5).toString(), '%PDF-');
   const pages = (pdf.toString('latin1').match(/\/Type\s*\/Page\b/g) || []).length;

@@ -31,9 +31,9 @@ function launch({webgl = true} = {}) {
   return chromium.launch({executablePath: process.env.CHROMIUM || '/usr/bin/chromium', args});
 }
 
-// A page, with all that it says on the console and asks of a network in `said`. Reduced motion: a smooth scroll that
+// A page with its folded parts open, unless `folded`; with all that it says on the console and asks of a network in `said`. Reduced motion: a smooth scroll that
 // is still under way would move the page between a look and a click.
-async function open(browser, file, {width = 1200, height = 1000, colorScheme = 'light'} = {}) {
+async function open(browser, file, {width = 1200, height = 1000, colorScheme = 'light', folded = false} = {}) {
   const page = await browser.newPage({viewport: {width, height}, colorScheme, reducedMotion: 'reduce'});
   page.said = [];
   page.on('console', (message) => page.said.push(`${message.type()}: ${message.text()}`));
@@ -42,7 +42,13 @@ async function open(browser, file, {width = 1200, height = 1000, colorScheme = '
   await page.goto(`file://${path.join(folder, file)}`);
   await page.waitForFunction(() => window.Plotly && document.querySelector('.plot .main-svg, .player'));
   await page.waitForFunction(`(page.players || []).every((p, k) => k > 0 || !p || p.firstDrawn)`);
+  if (!folded) await page.evaluate(unfold);
   return page;
+}
+
+function unfold() {
+  for (const button of document.querySelectorAll('.more-plots')) button.click();
+  for (const part of document.querySelectorAll('details.later')) part.open = true;
 }
 
 const state = (page, k = 0) => page.evaluate(`page.players[${k}].state()`);

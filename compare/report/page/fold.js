@@ -1,5 +1,6 @@
-// Small screens begin with their long parts folded; a link into a folded part opens it; paper has every table and plot.
-const kFirstPlots = 4;  // of a scene, on a small screen
+// What decides nothing begins folded, and on small screens all long parts do; a link into a folded part opens it; paper has
+// every table and plot.
+const kFirstPlots = 6;  // of a scene; on a small screen two fewer (report.css)
 
 const small = () => matchMedia('(max-width: 760px)').matches;
 
@@ -43,10 +44,8 @@ function reachTables() {
 
 // Before the page is drawn.
 export function foldParts() {
-  if (small()) {
-    for (const part of document.querySelectorAll('details.later')) part.open = false;
-    document.querySelectorAll('.plots .plot-grid').forEach(shorten);
-  }
+  if (small()) for (const part of document.querySelectorAll('details.later')) part.open = false;
+  document.querySelectorAll(`${small() ? '' : '.scene '}.plots .plot-grid`).forEach(shorten);
   addEventListener('hashchange', openTarget);
   if (location.hash) openTarget();
   reachTables();

@@ -15,10 +15,11 @@ export class LiveScene {
       this.player?.showPlaying();
       this.told();
     });
-    this.plots = new ScenePlots(element, scene, this.runs, (t, clicked = true) => {
+    const seek = (t, clicked = true) => {
       this.clock.seek(t);
       if (this.player && clicked) this.player.element.focus({preventScroll: true});
-    }, () => this.told());
+    };
+    this.plots = new ScenePlots(element, scene, this.runs, {seek, look: (t) => this.look(t), changed: () => this.told()});
     this.address = new AddressWriter(element.id);
     this.player = null;
     const asked = element.querySelector('.what-if');
@@ -58,12 +59,17 @@ export class LiveScene {
     if (t !== this.shown && !this.clock.playing) this.told();
     this.shown = t;
     this.plots.cursor(t);
-    if (!this.player) return;
-    this.player.draw();
-    this.player.showTime(t);
+    this.player?.look(null);
+  }
+  // The instant under the pointer, or null when it leaves: marked in all plots, and shown by a player that stands still.
+  look(t) {
+    if (t === this.plots.looked || this.clock.playing) return;
+    this.plots.cursor(this.clock.t, t);
+    this.player?.look(t);
   }
   drawAll() {
     if (window.Plotly) this.plots.drawAll();
+    this.player?.note();
     this.show(this.clock.t);
     this.isDrawn = true;
   }

@@ -40,7 +40,7 @@ export function senseLines(words) {
 
 // Marks, arrows and words of the runs; placeOf(run, t): um.
 export function orbitMarks(runs, [from, to], hidden, placeOf) {
-  const data = [], annotations = [], words = new Map();
+  const data = [], arrows = [], words = new Map();
   for (const run of runs.filter((r) => !hidden.has(r.label))) {
     const start = Math.max(from, run.start), end = Math.min(to, run.end);
     if (!(end > start)) continue;
@@ -53,12 +53,10 @@ export function orbitMarks(runs, [from, to], hidden, placeOf) {
     // The arrow lies where the line ends, as long as a twentieth of a turn.
     const head = points[points.length - 1], tail = placeOf(run, Math.max(start, end - (turn || end - start) / 20));
     if (Math.hypot(head[0] - tail[0], head[1] - tail[1]) > 0) {
-      annotations.push({x: head[0], y: head[1], ax: tail[0], ay: tail[1], xref: 'x', yref: 'y', axref: 'x', ayref: 'y', text: '', showarrow: true,
+      arrows.push({x: head[0], y: head[1], ax: tail[0], ay: tail[1], xref: 'x', yref: 'y', axref: 'x', ayref: 'y', text: '', showarrow: true,
         arrowhead: 2, arrowsize: 1.4, arrowwidth: 1.6, arrowcolor: color});
     }
     words.set(run.label, senseWord(sweptSense(points), spin));
   }
-  annotations.push(...senseLines(words).map(({text, label}, k) => ({xref: 'paper', yref: 'paper', x: 1, y: 1, xanchor: 'right', yanchor: 'top',
-    yshift: -15 * k, showarrow: false, text, font: {color: css(label ? `--${label}` : '--soft'), size: 12}})));
-  return {data, annotations};
+  return {data, arrows, notes: senseLines(words).map(({text, label}) => ({text, color: css(label ? `--${label}` : '--soft')}))};
 }

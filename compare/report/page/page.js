@@ -1,8 +1,9 @@
-// What the scripts of all pages share: the page's data, the drawing of a plot, and the light or dark theme.
+// What the scripts of all pages share: the page's data, the drawing of a plot, the light or dark theme, and the units.
 import {foldParts} from './fold.js';
 import {unpacked} from './packed.js';
 import {offerFiles} from './save.js';
 import {forgetColours} from './style.js';
+import {choose, convertTexts, figureInUnits, siText, systems} from './unit_system.js';
 
 const root = document.documentElement;
 export const data = JSON.parse(document.getElementById('data').textContent);
@@ -24,6 +25,7 @@ export function start(draw) {
     theme();
   });
   prefersDark.addEventListener('change', () => theme());
+  chooseUnits(draw);
   // On paper a picture does not fit itself to its place: it is drawn for it, at the paper's width.
   function print(on) {
     root.classList.toggle('printing', on);
@@ -34,8 +36,32 @@ export function start(draw) {
   theme();
 }
 
-// Draws a figure {data, layout} in its place. On paper at its place's size.
-export function show(plot, {data: traces, layout}) {
+// The list of units in the page's head; what is chosen is kept in the page's address.
+function chooseUnits(draw) {
+  const list = document.getElementById('units'), address = new URL(location.href);
+  for (const [key, {name}] of Object.entries(systems)) list.add(new Option(name, key));
+  function take(key) {
+    choose(key);
+    convertTexts(document.querySelector('main'));
+  }
+  list.value = address.searchParams.get('units') in systems ? address.searchParams.get('units') : 'si';
+  take(list.value);
+  list.addEventListener('change', () => {
+    const now = new URL(location.href);
+    now.searchParams.set('units', list.value);
+    if (list.value === 'si') now.searchParams.delete('units');
+    history.replaceState(null, '', now);
+    take(list.value);
+    draw();
+  });
+}
+
+// Draws a figure {data, layout} in its place, in the chosen units but for maps, whose keys have units of their own. On paper
+// at its place's size. plot.factors: of x and y, from the units of the figure to those shown.
+export function show(plot, figure) {
+  const unit = plot.closest('figure')?.querySelector('figcaption .unit');
+  const {data: traces, layout, factors} = plot.closest('.map-set') ? {...figure, factors: {x: 1, y: 1}} : figureInUnits(figure, unit && siText(unit).trim());
+  plot.factors = factors;
   const size = isPrinting() ? {width: plot.clientWidth, height: plot.clientHeight} : {};
   Plotly.react(plot, traces, {...layout, ...size}, {displaylogo: false, displayModeBar: false, responsive: !isPrinting()});
   plot.tabIndex = 0;

@@ -5,10 +5,10 @@ import {css, nameOf} from './style.js';
 import {sceneFigure} from './traces.js';
 
 export class ScenePlots {
-  // runs: of scene.sides, each with its contacts; seek(t): what a click asks for; changed(): the reader shows something
-  // else.
-  constructor(element, scene, runs, seek, changed) {
-    Object.assign(this, {element, scene, runs, seek, changed});
+  // runs: of scene.sides, each with its contacts; seek(t): what a click asks for; look(t): what the pointer is at, null when
+  // it leaves; changed(): the reader shows something else.
+  constructor(element, scene, runs, {seek, look, changed}) {
+    Object.assign(this, {element, scene, runs, seek, look, changed, looked: null});
     this.plots = [...element.querySelectorAll('.plot')];
     this.hidden = new Set();
     this.near = new Set();
@@ -32,6 +32,13 @@ export class ScenePlots {
       if (window.Plotly && plot.stale !== false) inTurn(plot, () => this.draw(plot)); else this.place(plot);
     });
     plot.addEventListener('keydown', (event) => this.key(plot, event));
+    this.listen(plot);
+  }
+
+  // The pointer over a plot over time marks its instant in all of them.
+  listen(plot) {
+    plot.addEventListener('pointermove', (event) => { if (!event.buttons && event.pointerType !== 'touch') this.look(this.timeUnder(plot, event)); });
+    plot.addEventListener('pointerleave', () => this.look(null));
     // A click seeks; a drag is plotly's own, and zooms.
     let down = null;
     plot.addEventListener('pointerdown', (event) => { down = [event.clientX, event.clientY]; }, true);
@@ -42,11 +49,27 @@ export class ScenePlots {
     }, true);
   }
 
+  // A plot over time elsewhere on the page, already drawn.
+  link(plot) {
+    if (!plot.isConnected) return;
+    if (!plot.mark) {
+      plot.dataset.over = 'time';
+      this.mark(plot);
+      this.near.add(plot);
+      this.listen(plot);
+    }
+    this.place(plot);
+  }
+
+  timeUnder(plot, event) {
+    const axis = this.overTime(plot) && plot._fullLayout?.xaxis;
+    if (!axis) return null;
+    const x = event.clientX - plot.getBoundingClientRect().left - axis._offset;
+    return x >= 0 && x <= axis._length ? axis.p2d(x) : null;
+  }
   clicked(plot, event) {
-    const layout = plot._fullLayout;
-    if (!layout || !this.overTime(plot)) return;
-    const axis = layout.xaxis, x = event.clientX - plot.getBoundingClientRect().left - axis._offset;
-    if (x >= 0 && x <= axis._length) this.seek(axis.p2d(x));
+    const t = this.timeUnder(plot, event);
+    if (t !== null) this.seek(t);
   }
 
   // Of a plot over time: arrows move the cursor, + and - zoom about it, 0 shows the whole run.
@@ -83,7 +106,7 @@ export class ScenePlots {
   draw(plot) {
     const {plot: key, over} = plot.dataset;
     const range = over === 'turns' ? this.turns() : this.range;
-    const {data, layout, at} = sceneFigure(this.viewOf(plot), key, over, range, this.hidden, plot.clientWidth);
+    const {data, layout, at} = sceneFigure(this.viewOf(plot), {key, over, range, hidden: this.hidden, width: plot.clientWidth});
     plot.at = at;
     data.forEach((trace) => { trace.visible = this.hidden.has(trace.meta) ? 'legendonly' : trace.visible || true; });
     const first = !plot.classList.contains('drawn');
@@ -95,8 +118,7 @@ export class ScenePlots {
       plot.classList.add('drawn');
       plot.on('plotly_relayout', (change) => this.follow(plot, change));
       plot.on('plotly_afterplot', () => this.place(plot));
-      plot.mark = plot.appendChild(document.createElement('i'));
-      plot.mark.className = this.overTime(plot) ? 'cursor' : 'cursor-dots';
+      this.mark(plot);
     }
     this.place(plot);
   }
@@ -113,9 +135,22 @@ export class ScenePlots {
   }
 
   // ---------------------------------------------------------------- the cursor
-  cursor(t) {
-    this.t = t;
+  // At t, and at the instant under the pointer, or null.
+  cursor(t, looked = null) {
+    Object.assign(this, {t, looked});
     for (const plot of this.near) this.place(plot);
+  }
+
+  // The cursor of a plot and the mark of the instant under the pointer.
+  mark(plot) {
+    const add = (kind) => Object.assign(plot.appendChild(document.createElement('i')), {className: kind});
+    plot.mark = add(this.overTime(plot) ? 'cursor' : 'cursor-dots');
+    if (this.overTime(plot)) plot.lookedMark = add('cursor looked');
+  }
+  placeLine(line, {xaxis, _size: {t: top, h: height}}, t) {
+    const [from, to] = xaxis.range;
+    line.hidden = t === null || t < from || t > to;
+    if (!line.hidden) line.style.cssText = `top:${top}px;height:${height}px;transform:translateX(${xaxis._offset + xaxis.d2p(t)}px)`;
   }
 
   place(plot) {
@@ -123,28 +158,27 @@ export class ScenePlots {
     if (!plot.mark || !layout?.xaxis) return;
     // For tests: the time that the plot is at.
     plot.dataset.cursor = this.t;
-    if (plot.dataset.over === 'turns') this.placeDots(plot, layout, this.onOrbits(plot));
-    if (plot.at) this.placeDots(plot, layout, plot.at(this.t).filter(({label}) => !this.hidden.has(label)));
+    const t = this.looked ?? this.t;
+    if (plot.dataset.over === 'turns') this.placeDots(plot, layout, this.onOrbits(plot, t));
+    if (plot.at) this.placeDots(plot, layout, plot.at(t).filter(({label}) => !this.hidden.has(label)));
     if (!this.overTime(plot)) return;
-    const [from, to] = layout.xaxis.range, inside = this.t >= from && this.t <= to;
-    plot.mark.hidden = !inside;
-    plot.mark.style.cssText = `top:${layout._size.t}px;height:${layout._size.h}px;` +
-      `transform:translateX(${layout.xaxis._offset + layout.xaxis.d2p(this.t)}px)`;
+    this.placeLine(plot.mark, layout, this.t);
+    this.placeLine(plot.lookedMark, layout, this.looked);
   }
 
-  // Where each run is now on its orbit, um.
-  onOrbits(plot) {
+  // Where each run is at t on its orbit, um.
+  onOrbits(plot, t) {
     const orbit = plot.dataset.plot === 'orbit';
-    return this.viewOf(plot).runs.filter((run) => run.has('rotor') && !this.hidden.has(run.label) && run.within(this.t) && (orbit || run.ringKnown))
+    return this.viewOf(plot).runs.filter((run) => run.has('rotor') && !this.hidden.has(run.label) && run.within(t) && (orbit || run.ringKnown))
       .map((run) => {
-        const {rotor, ring} = run.pose(this.t), from = orbit ? [0, 0] : ring;
+        const {rotor, ring} = run.pose(t), from = orbit ? [0, 0] : ring;
         return {label: run.label, x: 1e6 * (rotor[0] - from[0]), y: 1e6 * (rotor[1] - from[1])};
       });
   }
 
   placeDots(plot, layout, places) {
     plot.mark.innerHTML = places.map((place) => {
-      const x = layout.xaxis.d2p(place.x), y = layout.yaxis.d2p(place.y);
+      const x = layout.xaxis.d2p(place.x * plot.factors.x), y = layout.yaxis.d2p(place.y * plot.factors.y);
       const inside = x >= 0 && x <= layout.xaxis._length && y >= 0 && y <= layout.yaxis._length;
       return inside ? `<b data-side="${place.label}" style="left:${layout.xaxis._offset + x}px;top:${layout.yaxis._offset + y}px;` +
         `background:${css(`--${place.label}`)}"></b>` : '';

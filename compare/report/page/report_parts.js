@@ -1,4 +1,4 @@
-// The parts of a report and of the page of one run, for layout.js, from what page.cc writes.
+// The parts of a report for layout.js, from what page.cc writes.
 import {glossary} from './glossary.js';
 import {html, withCode} from './html.js';
 import {liveOf} from './live_frame.js';
@@ -42,10 +42,10 @@ const lead = ({mode, tolerance}) => html`<p class="lead">The native model solves
   difference has a confidence interval, and one that reaches over the tolerance is undecidable and decides nothing.`}</p>`;
 
 const trade = {class: 'trade', id: 'trades', contents: 'What control trades', parts: [{markup: html`<h2>What control trades</h2>
-  <p>The contact's mean normal force and the actuators' rms force, over the size of the rotor's orbit at the end of the run, for the native
+  <p>The contact's mean normal force and the actuators' rms force over the run, over the size of the rotor's orbit at the end of the run, for the native
   run of each scene. Soft contact can be bought by a wider orbit, and a small orbit by force.</p>
   <figure class="square"><figcaption><b>Forces</b> <span class="unit">N</span> over the orbit — dot: mean normal force of the contact;
-  square: rms force of the actuators; a line joins the two of one scene</figcaption><div class="plot" id="trade"></div></figure>`}]};
+  square: rms force of the actuators; a line joins the two of one scene</figcaption><div class="plot" data-of="trade" data-plot="trade"></div></figure>`}]};
 
 // ---------------------------------------------------------------- one scene
 
@@ -57,7 +57,7 @@ function verdictsOf(parts) {
   }
   const headline = ({text: words, toned}) => html`<h3><span class="mark">${toned}</span> ${words.slice(toned.length)}</h3>`;
   return html`<div class="verdicts">${verdicts.map((verdict) => (verdict.reasons.length ? html`
-    <details class="verdict later ${verdict.tone}" open><summary>${headline(verdict)}</summary>
+    <details class="verdict later ${verdict.tone}"><summary>${headline(verdict)}</summary>
       <ul>${verdict.reasons.map((reason) => html`<li>${reason}</li>`)}</ul></details>` : html`
     <section class="verdict ${verdict.tone}">${headline(verdict)}</section>`))}</div>`;
 }
@@ -103,10 +103,10 @@ function impactsOf(impacts, labels) {
     rows: Array.from({length: count}, (_, k) => ({cells: [String(k + 1), ...labels.map((label) => cellOf(at(label, k)))]}))};
 }
 
-const engineOf = ({engine, integrator, contact}) => `${engine}, integrator ${integrator}, contact ${contact}`;
-const conditionsOf = ({text: scene}, id, facts) => ({details: 'Conditions and the scene\'s text', id: `${id}-conditions`, contents: 'conditions', parts: [
+export const engineOf = ({engine, integrator, contact}) => `${engine}, integrator ${integrator}, contact ${contact}`;
+export const conditionsOf = ({text: scene}, id, facts) => ({details: 'Conditions and the scene\'s text', id: `${id}-conditions`, contents: 'conditions', parts: [
   {facts}, {markup: html`<pre>${scene}</pre>`}]});
-const rotorOf = (scene, id) => ({class: 'rotor', id: `${id}-rotor`, contents: 'whirl', parts: [{heading: 'The free rotor: whirl'}, ...whirlParts(scene)]});
+export const rotorOf = (scene, id) => ({details: 'The free rotor: whirl', id: `${id}-rotor`, contents: 'whirl', parts: whirlParts(scene)});
 
 const filmsOf = ({films, no_films: why}) => (films.length ? html`<p class="note films">Films of the runs, beside this page:
   ${films.map(({link, caption}) => html`<a href="${link}" title="${caption}">${link}</a> `)}</p>` : html`<p class="note">No film: ${why}</p>`);
@@ -117,7 +117,7 @@ function sceneOf(scene, index, data, named) {
     ...Object.entries(data.versions), ['scene hash', scene.hash], ['step', units.duration(scene.step)], ['tolerance', percent(data.tolerance)],
     ['repeated runs', `${scene.twins} of native, from starts a few units in the last place apart`],
     ...runs.map((side) => [side.label, `${engineOf(side)}, ${side.status}`])];
-  const later = (name, contents, details, parts) => (parts ? [{details, id: `${id}-${name}`, contents, open: true, parts}] : []);
+  const later = (name, contents, details, parts) => (parts ? [{details, id: `${id}-${name}`, contents, parts}] : []);
   const impacts = impactsOf(scene.impacts, runs.map(({label}) => label));
   return {id, title: scene.name, contents: scene.name, scene: String(index),
     conditions: `step ${units.duration(scene.step)} · ${units.duration(scene.end)} simulated · scene ${scene.hash}`, parts: [
@@ -145,14 +145,6 @@ const namedParts = ({parts}) => ({...Object.fromEntries(parts.filter(({id}) => i
 export function reportParts(data) {
   const named = data.scenes.map(namedParts);
   return [{class: 'answers', id: 'verdicts', contents: 'Answer', parts: data.scenes.map((scene, k) => answerOf(scene, k, named[k]))},
-    {markup: lead(data)}, ...(data.trade ? [trade] : []), ...data.scenes.map((scene, k) => sceneOf(scene, k, data, named[k])),
+    {markup: lead(data)}, ...(data.scenes.length > 2 ? [trade] : []), ...data.scenes.map((scene, k) => sceneOf(scene, k, data, named[k])),
     ...Object.entries(data.beside).flatMap(besideOf(data)), glossary];
-}
-
-export function runParts({scenes: [scene], versions, ending}) {
-  const [side, shadow] = scene.sides, facts = [['rotorub', versions.rotorub], ['scene hash', scene.hash], ['run', engineOf(side)],
-    ...(shadow ? [['shadow', engineOf(shadow)]] : []), ['steps', String(side.steps)], ...(side.step > 0 ? [['step', units.duration(side.step)]] : []),
-    ['rows', String(side.rows)], ['impacts', String(side.impacts_written)]];
-  return [{id: 'run', title: engineOf(side), conditions: ending.text, tone: ending.tone, scene: '0', parts: [
-    {markup: liveOf(scene, 'run')}, rotorOf(scene, 'run'), conditionsOf(scene, 'run', facts)]}, glossary];
 }

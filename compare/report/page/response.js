@@ -128,7 +128,7 @@ export function stiffnessFigure({stiffness, campbell}, index) {
   const note = (extra) => ({showarrow: false, bgcolor: css('--paper'), font: {color: css('--soft'), size: 12}, ...extra});
   return {data: lines, layout: layout({shapes: [{...across(own, '--soft', 'dash'), layer: 'below'}, ...rotor, ...along], hovermode: 'closest', showlegend: true, legend: legend(),
     annotations: [note({x: Math.log10(own), y: 0, yref: 'paper', yanchor: 'bottom', xanchor: 'left', xshift: 5, text: 'as in the scene'}),
-      ...(along.length ? [note({xref: 'paper', x: 1, xanchor: 'right', bgcolor: undefined, y: Math.log10(campbell.running), yanchor: 'bottom', text: "scene's speed"})] : [])],
-    margin: {l: 72, r: 24, t: 30, b: 44}, xaxis: titled(`${of} / (N/m)`, {type: 'log', exponentformat: 'power', dtick: 1}),
+      ...(along.length ? [note({xref: 'paper', x: 1, xanchor: 'left', xshift: 4, y: Math.log10(campbell.running), text: "scene's speed"})] : [])],
+    margin: {l: 72, r: along.length ? 96 : 24, t: 30, b: 44}, xaxis: titled(`${of} / (N/m)`, {type: 'log', exponentformat: 'power', dtick: 1}),
     yaxis: valueAxis({title: {text: 'critical speed / rpm', standoff: 8}, type: 'log', exponentformat: 'none', separatethousands: true})})};
 }

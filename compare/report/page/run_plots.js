@@ -1,42 +1,46 @@
 // The plots of a scene's runs, one row each. `over`: the abscissa, which selects how traces.js draws a plot. "time": a
 // series; "impacts" and "law": one point per impact, over time or on a law; "path": on the characteristic of what drives the
 // run; "turns": positions over the last turns; "whirl" and "spread": independent of the time window; "runup": over the spin
-// speed. `has`: whether there is data for it, of a view {scene, runs, contact, distribution of a run, track of a run} of one
-// contact. A plot stands once, or, with `each`, once for each contact.
+// speed. `has`: whether there is data for it, of a view {scene, runs, contact, impacts and track of a run} of one
+// contact. A plot stands once, or, with `each`, once for each contact. A new plot is a line here, and
+// a function in a module of its own and a line in traces.js if no other of its kind draws it.
 const always = () => true;
 const touches = ({contact}) => contact.touches;
-const rubs = ({contact}) => contact.rubs;
-const hasTrack = (name) => ({runs, track}) => runs.some((run) => track(run, name));
+// A track of two knots is a constant, and a few points show no law: such a plot is left out.
+const kFew = 3;
+const moves = (name) => ({runs, track}) => runs.some((run) => track(run, name)?.knots >= kFew);
+const touchesAnd = (has) => (view) => view.contact.touches && has(view);
+const strikes = ({contact, runs, impacts}) => contact.touches && runs.some((run) => impacts(run).t.length >= kFew);
+const rubs = (view) => view.contact.rubs && strikes(view);
 const hasWhirl = (name) => ({runs}) => runs.some(({whirl}) => whirl[name]);
-const spreads = (name) => ({contact, runs, distribution}) => contact.touches && runs.some((run) => distribution(run)[name]);
 const measured = (name) => ({scene}) => scene.sides.some((side) => side.measured && side.tracks[name]);
 
 const kinds = [
-  {key: 'gap', title: 'Gap', unit: 'µm', text: '0: contact; below 0: penetration', shape: 'wide', over: 'time', each: true, has: touches},
-  {key: 'gap_rate', title: 'Gap rate', unit: 'mm/s', text: 'what control brings to 0 (paper, Fig. 8)', over: 'time', each: true, has: touches},
-  {key: 'rotor_x', title: 'Rotor', unit: 'µm', text: 'along x; dotted, where there is control: without it (paper, Fig. 9)', over: 'time', each: true, has: always},
-  {key: 'normal_force', title: 'Normal force', unit: 'N', text: 'of lasting contact; impulses of the rigid law\'s impacts are below', over: 'time', each: true, has: touches},
-  {key: 'sample_force', title: 'Force of a sample', unit: 'N', shape: 'wide', over: 'time', has: hasTrack('force'),
+  {key: 'gap', title: 'Gap', unit: 'µm', text: '0: contact; below 0: penetration', shape: 'wide', over: 'time', each: true, has: touchesAnd(moves('gap'))},
+  {key: 'gap_rate', title: 'Gap rate', unit: 'mm/s', text: 'what control brings to 0', figure: 8, over: 'time', each: true, has: touchesAnd(moves('gap'))},
+  {key: 'rotor_x', title: 'Rotor', unit: 'µm', text: 'along x; dotted, where there is control: without it', figure: 9, over: 'time', each: true, has: moves('rotor')},
+  {key: 'normal_force', title: 'Normal force', unit: 'N', text: 'of lasting contact; impulses of the rigid law\'s impacts are below', over: 'time', each: true, has: touchesAnd(moves('normal'))},
+  {key: 'sample_force', title: 'Force of a sample', unit: 'N', shape: 'wide', over: 'time', has: moves('force'),
     text: 'what the force sensor sees: of every run averaged over the record\'s samples, impacts included'},
-  {key: 'friction_force', title: 'Friction force', unit: 'N', text: 'on the rotor, along the ring', over: 'time', each: true, has: touches},
-  {key: 'impacts', title: 'Impacts', unit: 'mN s', text: 'normal impulse of each impact or contact episode', over: 'impacts', each: true, has: touches},
+  {key: 'friction_force', title: 'Friction force', unit: 'N', text: 'on the rotor, along the ring', over: 'time', each: true, has: touchesAnd(moves('friction'))},
+  {key: 'impacts', title: 'Impacts', unit: 'mN s', text: 'normal impulse of each impact or contact episode', over: 'impacts', each: true, has: strikes},
   {key: 'friction_impacts', title: 'Friction of impacts', unit: 'mN s', text: 'size of the tangential impulse of each', over: 'impacts', each: true, has: rubs},
-  {key: 'normal_law', title: 'Normal contact law', unit: 'm/s', shape: 'square', over: 'law', each: true, has: touches,
+  {key: 'normal_law', title: 'Normal contact law', unit: 'm/s', shape: 'square', over: 'law', each: true, has: strikes,
     text: 'gap rates before and after each impact; dashed: the restitution where friction has no part'},
   {key: 'friction_law', title: 'Friction law', shape: 'square', over: 'law', each: true, has: rubs,
-    text: 'of each impact, tangential over friction times normal impulse (paper, Fig. 5); dashed: Coulomb\'s'},
-  {key: 'spin', title: 'Spin speed', unit: 'rpm', text: 'what friction takes from the drive', over: 'time', has: always},
-  {key: 'ring_speed', title: 'Ring speed', unit: 'rpm', text: 'what friction and drag make of the ring that turns', over: 'time', each: true, has: hasTrack('ring_speed')},
-  {key: 'torsion', title: 'Torsion', unit: 'mrad', text: 'twist of the shaft at the contact', over: 'time', has: hasTrack('torsion')},
-  {key: 'control', title: 'Control force', unit: 'N', text: 'magnitude of the actuators\' force on the ring', over: 'time', each: true, has: hasTrack('control')},
-  {key: 'current', title: 'Coil current', unit: 'A', text: 'magnitude of the control currents of the two axes', over: 'time', each: true, has: hasTrack('current')},
-  {key: 'actuator', title: 'Actuator', unit: 'N', shape: 'square', over: 'path', each: true, has: hasTrack('current'),
-    text: 'force of axis 1 over its current, on the characteristic F(s, i) (paper, Fig. 3)'},
-  {key: 'motor', title: 'Motor', unit: 'N m', shape: 'square', over: 'path', has: hasTrack('motor_torque'),
-    text: 'torque over speed; dashed: the motor\'s characteristic (paper, Fig. 6)'},
-  {key: 'force_spread', title: 'Histogram of the force', unit: '% of the time', over: 'spread', each: true, has: spreads('force'),
+    text: 'of each impact, tangential over friction times normal impulse; dashed: Coulomb\'s', figure: 5},
+  {key: 'spin', title: 'Spin speed', unit: 'rpm', text: 'what friction takes from the drive', over: 'time', has: moves('spin_speed')},
+  {key: 'ring_speed', title: 'Ring speed', unit: 'rpm', text: 'what friction and drag make of the ring that turns', over: 'time', each: true, has: moves('ring_speed')},
+  {key: 'torsion', title: 'Torsion', unit: 'mrad', text: 'twist of the shaft at the contact', over: 'time', has: moves('torsion')},
+  {key: 'control', title: 'Control force', unit: 'N', text: 'magnitude of the actuators\' force on the ring', over: 'time', each: true, has: moves('control')},
+  {key: 'current', title: 'Coil current', unit: 'A', text: 'magnitude of the control currents of the two axes', over: 'time', each: true, has: moves('current')},
+  {key: 'actuator', title: 'Actuator', unit: 'N', shape: 'square', over: 'path', each: true, has: moves('current'),
+    text: 'force of axis 1 over its current, on the characteristic F(s, i)', figure: 3},
+  {key: 'motor', title: 'Motor', unit: 'N m', shape: 'square', over: 'path', has: moves('motor_torque'),
+    text: 'torque over speed; dashed: the motor\'s characteristic', figure: 6},
+  {key: 'force_spread', title: 'Histogram of the force', unit: '% of the time', over: 'spread', each: true, has: touchesAnd(moves('normal')),
     text: 'distribution of the normal force over time: a rub that lasts is a peak, bouncing a slope'},
-  {key: 'impulse_spread', title: 'Exceedance of impulses', over: 'spread', each: true, has: spreads('impulse'),
+  {key: 'impulse_spread', title: 'Exceedance of impulses', over: 'spread', each: true, has: strikes,
     text: 'how many impacts reach an impulse; the longer the tail, the more a few hard ones decide'},
   {key: 'orbit', title: 'Orbits', unit: 'µm', shape: 'square', over: 'turns', each: true, has: always,
     text: 'rotor solid, ring dotted; the last turns, or the time zoomed to; diamonds: the mark on the rotor passes +x, one that stays is 1×; ' +
@@ -63,11 +67,17 @@ const kinds = [
     text: 'the rotor once a turn, second half: a point is synchronous, a cloud chaos'},
 ];
 
+// figure: the number of the same plot in the paper, for the paper's scenes.
+const textOf = ({text, figure}, {name}) => (figure && name?.startsWith('paper_') ? `${text} (paper, Fig. ${figure})` : text);
+
+// The plots of several contacts begin a row.
+const shapeOf = ({shape, each}, contact, count) => [shape, each && count > 1 && contact === 0 && 'row'].filter(Boolean).join(' ');
+
 // The plots of a scene, in their order. contact: the number of the contact; place: the contact, if there are several.
 export function runPlots(scene) {
   const {contacts} = scene, runs = scene.sides.filter((side) => !side.measured && Object.keys(side.tracks).length > 0);
-  const viewOf = (k) => ({scene, runs, contact: contacts[k], distribution: (run) => run.distribution[k],
+  const viewOf = (k) => ({scene, runs, contact: contacts[k], impacts: (run) => run.impacts[k],
     track: (run, name) => run.tracks[k > 0 ? `contact${k + 1}_${name}` : name]});
   return kinds.flatMap((kind) => contacts.slice(0, kind.each ? contacts.length : 1).flatMap((place, contact) =>
-    (runs.length && kind.has(viewOf(contact)) ? [{...kind, contact, place: kind.each && contacts.length > 1 && place}] : [])));
+    (runs.length && kind.has(viewOf(contact)) ? [{...kind, text: textOf(kind, scene), shape: shapeOf(kind, contact, contacts.length), contact, place: kind.each && contacts.length > 1 && place}] : [])));
 }

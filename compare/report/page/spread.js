@@ -1,6 +1,45 @@
 // How contact forces and impulses are distributed, and what is left of a record beside each run, as plotly takes them.
-import {opened, thinned} from './scales.js';
-import {axes, css, decades, layout, line, number, titled} from './style.js';
+import {countUntil, opened, thinned} from './scales.js';
+import {axes, css, decades, layout, line, notesAbove, number, titled} from './style.js';
+
+// The share of the time that y spends in each of equal parts of its range above 0, straight between the times t.
+export function histogram(t, y, parts = 60) {
+  const top = y.reduce((most, value) => Math.max(most, value), 0), whole = t[t.length - 1] - t[0], width = top / parts, share = new Array(parts).fill(0);
+  if (!(top > 0) || !(whole > 0)) return null;
+  const partOf = (value) => Math.min(parts - 1, Math.floor(Math.max(0, value) / width));
+  for (let i = 1; i < t.length; ++i) {
+    const low = Math.min(y[i - 1], y[i]), high = Math.max(y[i - 1], y[i]), part = (t[i] - t[i - 1]) / whole;
+    if (high <= 0) continue;
+    for (let k = partOf(low); k <= partOf(high); ++k) {
+      const inside = Math.min(high, k + 1 === parts ? high : (k + 1) * width) - Math.max(low, k * width);
+      share[k] += high > low ? part * inside / (high - low) : part;
+    }
+  }
+  return {width, share};
+}
+
+// How many values reach each one, descending; of many those at even steps of the logarithm of their number.
+export function exceedance(values, most = 150) {
+  const all = [...values].sort((a, b) => b - a), growth = Math.log(all.length) / (most - 1);
+  const even = Array.from({length: most}, (_, k) => Math.min(all.length, Math.max(1, Math.floor(Math.exp(growth * k) + 1e-9))));
+  const count = all.length ? [...new Set([...even, all.length])] : [];
+  return {value: count.map((n) => all[n - 1]), count};
+}
+
+const knotsOf = (track) => ({t: Array.from({length: track.knots}, (_, k) => track.time(k)), y: [0, 1].map((c) => Array.from(track.values[c] ?? []))});
+
+// N s of each impact of a run. An episode of a soft contact that lasts longer than an impact is a rub, and its impulse is the
+// sum over the whole of it.
+export function impulsesOf({tracks: {impacts, normal}, longestImpact}) {
+  if (!impacts?.knots) return [];
+  const {t, y: [impulse]} = knotsOf(impacts), force = normal && longestImpact < Infinity && knotsOf(normal);
+  const lasts = (begin) => {
+    let k = countUntil(force.t, begin), last = begin;
+    for (; k < force.t.length && force.y[0][k] > 0; ++k) last = force.t[k];
+    return last - begin;
+  };
+  return impulse.filter((_, k) => !force || lasts(t[k]) <= longestImpact);
+}
 
 // The corners of a staircase: share[k] from k width to (k + 1) width.
 export function staircase({width, share}) {
@@ -16,33 +55,35 @@ const trace = (label, x, y, more) => ({x, y, name: label, meta: label, type: 'sc
 
 // The first two runs set the width, as they do the height of a force plot; one that goes far beyond says so.
 export function widthFor(sides) {
-  const reach = ({of}) => of.force.width * of.force.share.length, all = sides.filter(({of}) => of.force);
+  const reach = ({stairs}) => stairs.width * stairs.share.length, all = sides.filter(({stairs}) => stairs);
   const usual = 1.05 * Math.max(0, ...all.slice(-2).map(reach));
   const beyond = all.filter((side) => reach(side) > 3 * usual);
   return beyond.length ? {range: [0, Math.max(usual, ...all.filter((side) => !beyond.includes(side)).map(reach))], beyond: beyond.map((side) => ({label: side.label, most: reach(side)}))} :
     {beyond};
 }
 
-function force(sides) {
-  const {range, beyond} = widthFor(sides);
-  return {data: sides.filter(({of}) => of.force).map(({label, of}) => {
-    const {x, y} = staircase(of.force);
+function force(runs) {
+  const sides = runs.filter((run) => run.has('normal')).map(({label, tracks: {normal}}) => {
+    const {t, y: [newtons]} = knotsOf(normal);
+    return {label, stairs: histogram(t, newtons)};
+  }), {range, beyond} = widthFor(sides);
+  return {data: sides.filter(({stairs}) => stairs).map(({label, stairs}) => {
+    const {x, y} = staircase({...stairs, share: stairs.share.map((share) => 100 * share)});
     return trace(label, x, y, {line: {...line(label), dash: 'solid'}, hovertemplate: `%{x:.4g} N: %{y:.3g} % of the time<extra>${label}</extra>`});
   }), layout: layout({hovermode: 'closest', xaxis: titled('normal force / N', range ? {range} : {}), yaxis: titled('share of the time / %', decades),
-    annotations: beyond.map(({label, most}, k) => ({text: `${label} reaches ${number(most, 3)} N`, xref: 'paper', yref: 'paper', x: 1, y: 1, xanchor: 'right',
-      yanchor: 'top', yshift: -16 * k, showarrow: false, font: {color: css(`--${label}`), size: 12}}))})};
+    ...notesAbove(beyond.map(({label, most}) => ({text: `${label} reaches ${number(most, 3)} N`, color: css(`--${label}`)})))})};
 }
 
-function impulse(sides) {
-  return {data: sides.filter(({of}) => of.impulse).map(({label, of}) => trace(label, of.impulse.value, of.impulse.count, {
-    line: {...line(label), shape: 'vh'}, hovertemplate: `%{y} impacts reach %{x:.4g} mN s<extra>${label}</extra>`})),
+function impulse(runs) {
+  return {data: runs.map((run) => ({label: run.label, ...exceedance(impulsesOf(run).map((value) => 1e3 * value))})).filter(({count}) => count.length)
+    .map(({label, value, count}) => trace(label, value, count, {line: {...line(label), shape: 'vh'}, hovertemplate: `%{y} impacts reach %{x:.4g} mN s<extra>${label}</extra>`})),
   layout: layout({hovermode: 'closest', xaxis: titled('normal impulse / mN s', {type: 'log', exponentformat: 'power'}),
     yaxis: titled('impacts that reach it', {type: 'log', exponentformat: 'none'})})};
 }
 
 const figures = {force_spread: force, impulse_spread: impulse};
-// number: of the contact.
-export const spreadFigure = (key, scene, number) => figures[key]([...scene.sides].reverse().map(({label, distribution}) => ({label, of: distribution[number]})));
+// runs: at one of the contacts.
+export const spreadFigure = (key, runs) => figures[key]([...runs].reverse());
 
 // Record minus run along x, um, at the record's samples within both.
 export function measuredMinus(record, run, [from, to]) {

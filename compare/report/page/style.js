@@ -20,6 +20,10 @@ export const layout = (extra) => ({
   margin: {l: 56, r: 12, t: 8, b: 40}, hovermode: 'x unified',
   hoverlabel: {bgcolor: css('--panel'), bordercolor: css('--line'), font: {color: css('--ink')}}, ...extra});
 export const legendAbove = (extra) => ({orientation: 'h', x: 0, y: 1.02, yanchor: 'bottom', font: {color: css('--ink')}, ...extra});
+// Words above a plot, where they cover no curve, two to a line. notes: {text, color}; margin: with room for them.
+export const notesAbove = (notes, {l = 56, r = 12, t = 8, b = 40} = {}) => ({margin: {l, r, t: t + 15 * Math.ceil(notes.length / 2), b},
+  annotations: notes.length ? [{xref: 'paper', yref: 'paper', x: 0, y: 1, xanchor: 'left', yanchor: 'bottom', align: 'left', showarrow: false, font: {size: 12},
+    text: notes.map(({text, color}, k) => `${k === 0 ? '' : k % 2 ? ', ' : '<br>'}<span style="color:${color}">${text}</span>`).join('')}] : []});
 // On a logarithmic axis.
 export const decades = {type: 'log', exponentformat: 'power', dtick: 1};
 

@@ -5,8 +5,8 @@ import {rotorFigure} from './rotor.js';
 import {runUpFigure} from './runup.js';
 import {opened, openedCurve, thinned} from './scales.js';
 import {minusFigure, spreadFigure} from './spread.js';
-import {axes, css, decades, isFront, layout, line, number, symbol, titled} from './style.js';
-import {isWhirl, whirlFigure} from './whirl.js';
+import {axes, css, decades, isFront, layout, line, notesAbove, number, symbol, titled} from './style.js';
+import {ranges, whirlFigure} from './whirl.js';
 
 const kBuckets = 700;   // of a trace: two points each
 const kTurn = 2 * Math.PI;
@@ -126,48 +126,52 @@ export function heightFor(traces) {
     const [least, most] = extent([trace]);
     const far = Math.abs(least) > most ? least : most;
     if (high === low || (least >= 3 * range[0] && most <= 3 * range[1])) continue;
-    notes.push({text: `${trace.name} reaches ${number(far, 3)} N`,
-      xref: 'paper', yref: 'paper', x: 0.01, y: far > 0 ? 1 : 0, xanchor: 'left',
-      yanchor: far > 0 ? 'top' : 'bottom', yshift: (far > 0 ? -18 : 18) * notes.length, showarrow: false, bgcolor: css('--paper'),
-      font: {color: trace.line.color, size: 12}});
+    notes.push({text: `${trace.name} reaches ${number(far, 3)} N`, color: trace.line.color});
   }
   return notes.length ? {axis: {range}, notes} : {};
 }
 
-function turnsPlot({contact, runs}, key, range, hidden) {
+function turnsPlot({contact, runs}, {key, range, hidden}) {
   // One, but for a run that was computed with another.
   const radii = [...new Set([contact, ...runs].map(({clearance}) => 1e6 * clearance))].filter((r) => r > 0);
   const circles = radii.map((r) => ({type: 'circle', x0: -r, x1: r, y0: -r, y1: r, line: {color: css('--soft'), width: 1, dash: 'dash'}}));
-  const square = {automargin: false, constrain: 'domain'};
   const orbit = key === 'orbit', lines = orbit ? orbitTraces(runs, range) : relativeTraces(runs, range);
   const marked = behindFirst(runs).filter((run) => run.has('rotor') && run.has('spin') && (orbit || run.has('gap')));
   const marks = orbitMarks(marked, range, hidden, orbit ? (run, t) => micro(run.pose(t).rotor) : relativePlace);
+  // As wide as high: a contact whose rotor lies still at one side has no strip of a picture.
+  const points = [...lines.flatMap(({x, y}) => x.map((value, k) => [value, y[k]])), ...(orbit ? [] : radii.flatMap((r) => [[-r, -r], [r, r]]))];
+  const [x, y] = ranges(points.filter(([value]) => value !== null)) ?? [];
+  const square = (range) => ({automargin: false, constrain: 'domain', ...(range && {range})});
+  const {margin, annotations} = notesAbove(marks.notes);
   return {data: [...lines, ...marks.data],
-    layout: layout({hovermode: 'closest', annotations: marks.annotations, shapes: key === 'relative' ? circles : [],
-      xaxis: titled('x / µm', square), yaxis: titled('y / µm', {...square, scaleanchor: 'x'})})};
+    layout: layout({hovermode: 'closest', margin, annotations: [...marks.arrows, ...annotations], shapes: orbit ? [] : circles,
+      xaxis: titled('x / µm', square(x)), yaxis: titled('y / µm', {...square(y), scaleanchor: 'x'})})};
 }
-function timePlot(view, key, over, range) {
+function timePlot(view, {key, over, range}) {
   const impacts = over === 'impacts';
   const data = impacts ? impactTraces(view.runs, key) : [...uncontrolledTraces(view, key, range), ...timeTraces(view.runs, key, range)];
   const height = key.endsWith('_force') ? heightFor(data) : {};
-  return {data, layout: layout({hovermode: impacts ? 'closest' : 'x unified', annotations: height.notes || [],
-    xaxis: axes({title: {text: 't / s', standoff: 6}, range: range.slice(), hoverformat: '.6f'}), yaxis: axes(impacts ? decades : height.axis)})};
+  return {data, layout: layout({hovermode: impacts ? 'closest' : 'x unified', ...notesAbove(height.notes || [], {l: 64}),
+    xaxis: axes({title: {text: 't / s', standoff: 6}, automargin: false, range: range.slice(), hoverformat: '.6f'}), yaxis: axes({automargin: false, ...(impacts ? decades : height.axis)})})};
 }
 
-// view: {scene, number, contact, runs}, at one of the scene's contacts. hidden: labels of the runs that the reader has
-// put away; width: px, of the plot.
-export function sceneFigure(view, key, over, range, hidden, width) {
-  if (over === 'rotor') return rotorFigure(view.scene.rotor, key, width);
-  if (isWhirl(key)) return whirlFigure(view.scene, key, range, hidden);
-  if (over === 'turns') return turnsPlot(view, key, range, hidden);
-  if (over === 'runup') return runUpFigure(key, view.scene, view.runs, hidden);
-  if (over === 'spread') return spreadFigure(key, view.scene, view.number);
-  if (key === 'measured_minus') return minusFigure(view.runs, range);
-  if (over === 'time' || over === 'impacts') return timePlot(view, key, over, range);
-  const law = over === 'law';
-  const titles = key === 'normal_law' ? ['before / (m/s)', 'after / (m/s)'] :
-    law ? ['slip after / (m/s)', 'tangential / (friction × normal)'] :
-      key === 'motor' ? ['speed / rpm', 'torque / N m'] : ['current / A', 'force / N'];
-  return {data: law ? impactTraces(view.runs, key) : pathTraces(view, key, range),
-    layout: layout({hovermode: 'closest', shapes: law ? lawShapes(view, key) : [], xaxis: titled(titles[0]), yaxis: titled(titles[1])})};
-}
+const axisTitles = {normal_law: ['before / (m/s)', 'after / (m/s)'], friction_law: ['slip after / (m/s)', 'tangential / (friction × normal)'],
+  motor: ['speed / rpm', 'torque / N m'], actuator: ['current / A', 'force / N']};
+const planeFigure = (key, data, shapes = []) => ({data, layout: layout({hovermode: 'closest', shapes, xaxis: titled(axisTitles[key][0]), yaxis: titled(axisTitles[key][1])})});
+
+// Draws a plot of its own, by its key, or one of a kind, by what it is drawn over (run_plots.js).
+const figures = {
+  time: timePlot, impacts: timePlot, turns: turnsPlot,
+  law: (view, {key}) => planeFigure(key, impactTraces(view.runs, key), lawShapes(view, key)),
+  path: (view, {key, range}) => planeFigure(key, pathTraces(view, key, range)),
+  measured_minus: ({runs}, {range}) => minusFigure(runs, range),
+  residual: ({scene}, {key, range, hidden}) => whirlFigure(scene, key, range, hidden),
+  whirl: ({scene}, {key, range, hidden}) => whirlFigure(scene, key, range, hidden),
+  runup: ({scene, runs}, {key, hidden}) => runUpFigure(key, scene, runs, hidden),
+  spread: ({runs}, {key}) => spreadFigure(key, runs),
+  rotor: ({scene}, {key, width}) => rotorFigure(scene.rotor, key, width),
+};
+
+// view: {scene, number, contact, runs}, at one of the scene's contacts. plot: {key, over, range, hidden: labels of the runs that
+// the reader has put away, width: px}.
+export const sceneFigure = (view, plot) => (figures[plot.key] ?? figures[plot.over])(view, plot);

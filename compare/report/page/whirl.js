@@ -12,8 +12,8 @@ function spectrum(scene) {
     line: {color: css('--soft'), width: 1, dash: 'dash'}, layer: 'below'}));
   return {data: have(scene, 'spectrum').map((side) => trace(side, side.whirl.spectrum.f, side.whirl.spectrum.y,
     {hovertemplate: `%{x:.5g} Hz: %{y:.4g} µm<extra>${side.label}</extra>`})),
-  layout: layout({hovermode: 'closest', shapes: scene.spin ? marks : [],
-    annotations: scene.spin ? [-1, 1].map((k) => ({x: k * scene.spin, y: 1, yref: 'paper', yanchor: 'top', xshift: 16 * k, showarrow: false,
+  layout: layout({hovermode: 'closest', margin: {l: 56, r: 12, t: 22, b: 40}, shapes: scene.spin ? marks : [],
+    annotations: scene.spin ? [-1, 1].map((k) => ({x: k * scene.spin, y: 1, yref: 'paper', yanchor: 'bottom', showarrow: false,
       text: k > 0 ? '+1×' : '−1×', font: {size: 11, color: css('--soft')}})) : [],
     xaxis: titled('backward   ←   whirl / Hz   →   forward'), yaxis: titled('µm', decades)})};
 }
@@ -50,8 +50,9 @@ function waterfall(scene, _range, hidden) {
 // same but for a thousandth are one place, not a cloud. Null: nothing to show.
 export function ranges(points) {
   if (!points.length) return null;
-  const low = [0, 1].map((c) => Math.min(...points.map((p) => p[c]))), high = [0, 1].map((c) => Math.max(...points.map((p) => p[c])));
-  const width = Math.max(1.1 * (high[0] - low[0]), 1.1 * (high[1] - low[1]), 0.1 * Math.max(...points.map((p) => Math.hypot(...p))));
+  const end = (of, value) => points.reduce((best, p) => of(best, value(p)), value(points[0]));
+  const low = [0, 1].map((c) => end(Math.min, (p) => p[c])), high = [0, 1].map((c) => end(Math.max, (p) => p[c]));
+  const width = Math.max(1.1 * (high[0] - low[0]), 1.1 * (high[1] - low[1]), 0.1 * end(Math.max, (p) => Math.hypot(...p)));
   return width > 0 ? [0, 1].map((c) => [0.5 * (low[c] + high[c] - width), 0.5 * (low[c] + high[c] + width)]) : null;
 }
 
@@ -73,6 +74,5 @@ function residual(scene, range) {
 }
 
 const figures = {spectrum, waterfall, poincare, residual};
-export const isWhirl = (key) => key in figures;
 // hidden: labels of the runs that are put away; range: of time.
 export const whirlFigure = (scene, key, range, hidden) => figures[key](scene, range, hidden);

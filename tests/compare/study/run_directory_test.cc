@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "compare/engine/engine.h"
+#include "compare/run_files/summary.h"
 #include "tests/support/native_run.h"
 #include "tests/support/said.h"
 #include "tests/support/temporary_folder.h"
@@ -39,6 +40,23 @@ TEST_F(RunDirectory, ReadsBackTheSameBits) {
   EXPECT_EQ(stored.trajectory.impacts[0].t, run_.impacts[0].t);
   EXPECT_EQ(stored.trajectory.engine, "native");
   EXPECT_EQ(stored.trajectory.step, run_.step);
+}
+
+// The page of a run says of the rub what the terminal said, which the series alone do not tell.
+TEST_F(RunDirectory, TheKeptResultHasTheAnswerOfTheRun) {
+  write_run(folder_, scene_, run_);
+  const auto answer_of = [](const result::Section& result) {
+    std::string text = result::text_of(result);
+    std::erase_if(text, [](char c) { return c == ' ' || c == '\n'; });
+    const std::size_t begin = text.find("rubs:");
+    return text.substr(begin, text.find("meannormalforce") - begin);
+  };
+  const result::Section kept = kept_result(read_run(folder_).summary);
+  EXPECT_EQ(answer_of(kept), answer_of(run_result(scene_, run_)));
+  EXPECT_TRUE(answer_of(kept).starts_with("rubs:yes,from")) << answer_of(kept);
+  EXPECT_TRUE(test::contains(result::text_of(kept), "impulse_total"));
+  // An earlier version may have written less.
+  EXPECT_TRUE(result::text_of(kept_result({{"status", "ok"}})).empty());
 }
 
 // A page of the run before, beside the series of this one, would show another motion.

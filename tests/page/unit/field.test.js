@@ -7,7 +7,8 @@ import {lookAt, senseLines, senseWord, sweptSense} from '../../../compare/report
 import {Run} from '../../../compare/report/page/player/run.js';
 import {alongCurve, letteredPeaks, placeOf, shownFirst} from '../../../compare/report/page/response.js';
 import {amplitudes, between, withinTurn} from '../../../compare/report/page/runup.js';
-import {measuredMinus, staircase, widthFor} from '../../../compare/report/page/spread.js';
+import {exceedance, histogram, impulsesOf, measuredMinus, staircase, widthFor} from '../../../compare/report/page/spread.js';
+import {tradeOf} from '../../../compare/report/page/trade.js';
 
 const near = (a, b, words) => assert.ok(Math.abs(a - b) <= 1e-9 * Math.max(1, Math.abs(b)), `${words}: ${a} is not ${b}`);
 const turn = 2 * Math.PI;
@@ -111,16 +112,50 @@ test('phases within a turn are open where they would jump, and where nothing mov
   assert.deepEqual(withinTurn([0, -10, 90.5], [1, 0.001, 1], 0.01), [0, null, null]);
 });
 
+test('a histogram is the time between two values', () => {
+  assert.deepEqual(histogram([0, 1, 2], [0, 0, 8], 4), {width: 2, share: [0.125, 0.125, 0.125, 0.125]});
+  assert.deepEqual(histogram([0, 1], [5, 5], 4).share, [0, 0, 0, 1]);
+  assert.equal(histogram([0, 1], [0, 0]), null);
+  // Of a sine the time above 0 between two values is that of the arc sine.
+  const t = Array.from({length: 20001}, (_, k) => k * 1e-4 * Math.PI), {share} = histogram(t, t.map((at) => (Math.sin(at) > 1e-12 ? Math.sin(at) : 0)), 10);
+  share.forEach((part, k) => {
+    const exact = (Math.asin(Math.min(1, (k + 1) / 10)) - Math.asin(k / 10)) / Math.PI;
+    assert.ok(Math.abs(part - exact) < 2e-5, `${part} is not ${exact}`);
+  });
+});
+
+test('so many impacts reach a value, and of many the law stays', () => {
+  assert.deepEqual(exceedance([3, 1, 2, 2]), {value: [3, 2, 2, 1], count: [1, 2, 3, 4]});
+  assert.deepEqual(exceedance([]), {value: [], count: []});
+  const {value, count} = exceedance(Array.from({length: 10000}, (_, k) => 1 / Math.sqrt(10000 - k)), 60);
+  assert.ok(count.length >= 40 && count.length <= 61 && count[0] === 1 && count[count.length - 1] === 10000, `${count}`);
+  for (const [k, one] of value.entries()) near(one, 1 / Math.sqrt(count[k]), 'value');
+});
+
+test('a rub of a soft contact is no impact', () => {
+  const held = (times, values) => ({knots: times.length, time: (k) => times[k], values: [values]});
+  const tracks = {impacts: held([0.1, 0.5], [1, 1e-3]), normal: held([0, 0.1, 0.1001, 0.2, 0.2001, 0.5, 0.5001, 0.5002], [0, 0, 10, 10, 0, 0, 10, 0])};
+  assert.deepEqual(impulsesOf({tracks, longestImpact: 2e-3}), [1e-3]);
+  assert.deepEqual(impulsesOf({tracks, longestImpact: Infinity}), [1, 1e-3]);
+  assert.deepEqual(impulsesOf({tracks: {}}), []);
+});
+
+test('what control trades is of the end of the run', () => {
+  const rotor = {instants: () => [0.9, 1], length: (t) => (t === 0.9 ? 5e-3 : 1e-3)};
+  const [point] = tradeOf([{scene: {name: 'one', summary: {settled: {from: 0.8}, mean_force: 7, control_force: null}}, runs: [{end: 1, tracks: {rotor}}]}]);
+  assert.deepEqual(point, {name: 'one', orbit: 5, contact: 7, actuator: 0});
+});
+
 test('a histogram is drawn as stairs', () => {
   assert.deepEqual(staircase({width: 2, share: [5, 1]}), {x: [0, 0, 2, 2, 4, 4], y: [0, 5, 5, 1, 1, 0]});
 });
 
 test('a force that goes far beyond those of the first two runs does not flatten them', () => {
-  const side = (label, reach) => ({label, of: {force: {width: reach / 2, share: [1, 1]}}});
+  const side = (label, reach) => ({label, stairs: {width: reach / 2, share: [1, 1]}});
   assert.deepEqual(widthFor([side('cone', 2000), side('coulomb', 250), side('rigid', 110), side('native', 100)]),
     {range: [0, 250], beyond: [{label: 'cone', most: 2000}]});
   assert.deepEqual(widthFor([side('rigid', 110), side('native', 100)]), {beyond: []});
-  assert.deepEqual(widthFor([{label: 'native', of: {force: null}}]), {beyond: []});
+  assert.deepEqual(widthFor([{label: 'native', stairs: null}]), {beyond: []});
 });
 
 test('a bifurcation diagram has every place of every value', () => {

@@ -2,7 +2,8 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {html, withCode} from '../../../compare/report/page/html.js';
-import {reportParts, runParts} from '../../../compare/report/page/report_parts.js';
+import {reportParts} from '../../../compare/report/page/report_parts.js';
+import {nearestCritical, runParts} from '../../../compare/report/page/run_parts.js';
 
 const side = {label: 'native', status: 'ok', engine: 'native', integrator: 'event', contact: 'rigid', step: 0, steps: 9, rows: 3, impacts_written: 1,
   tracks: {}, whirl: {}, distribution: [{}]};
@@ -52,7 +53,7 @@ test('differences that cannot be split are folded', () => {
 
 test('each verdict has its reasons', () => {
   const [{markup}] = partsOf(data).scene;
-  assert.match(markup.text, /<details class="verdict later bad" open><summary><h3><span class="mark">OUTSIDE<\/span> {2}cone is off<\/h3><\/summary>\s*<ul><li>why<\/li><\/ul>/);
+  assert.match(markup.text, /<details class="verdict later bad"><summary><h3><span class="mark">OUTSIDE<\/span> {2}cone is off<\/h3><\/summary>\s*<ul><li>why<\/li><\/ul>/);
   assert.match(markup.text, /<section class="verdict good"><h3><span class="mark">within<\/span> {2}rigid agrees<\/h3><\/section>/);
 });
 
@@ -81,11 +82,22 @@ test('a resync has its onsets in the place of the judged figures', () => {
 });
 
 test('the page of one run has its engine, its end and its facts', () => {
-  const [run, words] = runParts({scenes: [{...scene, sides: [side]}], versions: data.versions, ending: {text: '60 ms simulated', tone: ''}});
+  const told = [{text: 'rubs: yes, from 5 ms'}, {text: 'warning: the step is long'}, {columns: [{text: 'figure'}, {text: 'value'}], rows: []}];
+  const summary = {first_touch: 0.005, mean_force: 12, contact_fraction: 0.5, peak_impulse: 2e-3, hard_impacts: 1, settled: {attractor: 'bouncing'}};
+  const one = {...scene, parts: told, summary, contacts: [{name: '', touches: true, clearance: 1e-3}], sides: [side]};
+  const [answer, run, words] = runParts({scenes: [one], versions: data.versions, ending: {text: '60 ms simulated', tone: ''}});
+  assert.match(answer.parts[0].markup.text, /<b>Does the rotor rub\?<\/b> Yes, from 5 ms\.<\/p>/);
+  assert.deepEqual(answer.parts[1].cards.map(({headline}) => headline), ['5 ms', '12 N', '2 mN s', 'bouncing']);
+  assert.equal(answer.parts[2].text, 'warning: the step is long');
   assert.equal(run.title, 'native, integrator event, contact rigid');
   assert.equal(run.conditions, '60 ms simulated');
   assert.deepEqual(run.parts.find(({id}) => id === 'run-conditions').parts[0].facts.map(([name]) => name), ['rotorub', 'scene hash', 'run', 'steps', 'rows', 'impacts']);
   assert.equal(words.id, 'glossary');
+});
+
+test('the margin is to the nearest critical speed, and a rotor without whirl has none', () => {
+  assert.deepEqual(nearestCritical({campbell: {running: 1000, critical: [400, 1250]}}), {speed: 1250, share: 0.25, above: true});
+  assert.equal(nearestCritical({refusal: 'none'}), null);
 });
 
 test('a value in markup is escaped, markup is not, and nothing is left out', () => {

@@ -19,7 +19,7 @@ export class Player {
   constructor(live, scene, runs, clock, left = []) {
     this.element = live.querySelector('.player');
     this.transport = live.querySelector('.transport');
-    Object.assign(this, {scene, runs, left, clock, visible: false, rig: undefined, rigs: []});
+    Object.assign(this, {scene, runs, left, clock, visible: false, rig: undefined, rigs: [], looked: null});
     this.touches = scene.contacts[0].touches;
     const places = [...this.element.querySelectorAll('.player-run')];
     this.chosen = runs.length > 1 ? [0, besideNative(runs)] : [0];
@@ -165,7 +165,7 @@ export class Player {
 
   draw() {
     if (!this.visible || isPrinting()) return;  // paper has no player
-    const {t} = this.clock, outlined = this.transport.querySelector('.outline').checked && this.shown.length > 1;
+    const t = this.looked ?? this.clock.t, outlined = this.transport.querySelector('.outline').checked && this.shown.length > 1;
     const spans = this.shown.map((run) => this.span(run, t));
     const poses = this.scene.contacts.map((_, c) => this.shownAt(c).map((run) => ({run, pose: run.pose(t)})));
     poses.forEach((shown, c) => {
@@ -187,11 +187,18 @@ export class Player {
     else this.firstDrawn = this.firstDrawn || performance.now();
   }
 
+  // Shows the instant t, or where it is null the clock's.
+  look(t) {
+    this.looked = t;
+    this.draw();
+    this.showTime(t ?? this.clock.t);
+  }
+
   // For who does not see the pictures.
   describe() {
     this.places.forEach(({place, feet}, k) => { feet.forEach(({section, list}, c) => {
       const readings = [...list.children].map((row) => [...row.children].map((e) => e.textContent).join(' ')).join('; ');
-      const words = `${this.shown[k].label} at ${units.time(this.clock.t)}: ${readings}`;
+      const words = `${this.shown[k].label} at ${units.time(this.looked ?? this.clock.t)}: ${readings}`;
       const where = this.scene.contacts[c].name ? ` ${this.scene.contacts[c].name}` : '';
       const picture = this.touches ? section : place.querySelector('canvas.rig');
       if (picture) picture.setAttribute('aria-label', (this.touches ? `cross-section at the contact${where}, ` : 'the rig, ') + words);

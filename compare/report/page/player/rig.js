@@ -80,7 +80,7 @@ export class Rig {
     gl.setSize(width, height, false);
     this.aim(width / height);
     gl.render(this.scene, this.camera);
-    ctx.drawImage(gl.domElement, 0, 0, width, height);
+    if (width > 0 && height > 0) ctx.drawImage(gl.domElement, 0, 0, width, height);
     ctx.font = font(12);
     ctx.fillStyle = css('--soft');
     ctx.fillText(`displacements × ${number(this.values.magnification, 3)}`, 8, height - 8);

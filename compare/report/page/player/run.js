@@ -33,6 +33,7 @@ export class Run {
     this.finest = contact.gap_tolerance;
     this.number = number;
     this.points = side.impacts[number];
+    this.longestImpact = side.longest_impact ?? Infinity;  // s, with a soft contact
     this.tracks = tracksAt(tracks, number);
     // A ring that does not move is where it is without being measured.
     this.ringKnown = !this.measured || 'ring' in this.tracks || !contact.ring_moves;

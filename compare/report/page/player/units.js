@@ -1,12 +1,13 @@
-// Figures with their units.
+// Figures with their units, in the system that the reader chose (unit_system.js).
+import {inUnits} from '../unit_system.js';
 
 // To three digits, with the prefix that suits it.
 function figure(value, units) {
-  if (value === 0) return `0 ${units.find(([one]) => one === 1)[1]}`;
+  if (value === 0) return inUnits(`0 ${units.find(([one]) => one === 1)[1]}`);
   const [size, unit] = units.find(([least]) => Math.abs(value) >= least * 0.9995) || units[units.length - 1];
   const scaled = value / size;
   const digits = Math.max(0, 2 - Math.max(0, Math.floor(Math.log10(Math.abs(scaled) * 1.0005))));
-  return `${Number(scaled.toFixed(Math.min(digits, 2))).toLocaleString('en').replace('-', '−')} ${unit}`;
+  return inUnits(`${Number(scaled.toFixed(Math.min(digits, 2))).toLocaleString('en').replace('-', '−')} ${unit}`);
 }
 const lengths = [[1, 'm'], [1e-3, 'mm'], [1e-6, 'µm'], [1e-9, 'nm'], [1e-12, 'pm']];
 export const units = {

@@ -29,8 +29,8 @@ export class Unrolled {
   }
 
   layout() {
-    const {ctx, width, height} = sharp(this.canvas);
-    const left = 52, right = 10, top = 10, bottom = 30;
+    const {ctx, width, height} = sharp(this.canvas), letters = units.length(10 * this.finest).length;
+    const left = Math.max(52, 14 + 6.4 * letters), right = 10, top = 10, bottom = 30;
     const decade = (height - top - bottom) / (this.above + this.below);
     const line = top + this.above * decade;
     return {ctx, width, height, left, right, top, bottom, decade, line,

@@ -1,6 +1,5 @@
-// The report's figures beyond series: what control trades, the characteristics, the laws of each
-// impact.
-#include "compare/report/trade.h"
+// The report's figures beyond series: the characteristics, and the laws of each impact.
+#include "compare/report/rig_values.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +8,6 @@
 #include <numbers>
 
 #include "compare/report/plots.h"
-#include "compare/report/rig_values.h"
 #include "compare/study/scene_comparison.h"
 #include "tests/support/native_run.h"
 
@@ -22,30 +20,6 @@ SceneComparison ring_compared(const std::vector<std::string>& overrides) {
   options.twins = 1;
   options.modes_ladder = false;
   return compare_scene(test::shipped("bench_ring", overrides), options);
-}
-
-Side made_side(const std::vector<Column>& series, double end) {
-  Side side;
-  side.label = "native";
-  side.trajectory.series = series;
-  side.trajectory.end = end;
-  return side;
-}
-
-// Rows of the last fifth alone count: (3, 4) mm, and forces of 6 and 8 N across.
-TEST(Trade, IsOfTheLastFifth) {
-  Side side = made_side({{"t", "s", {0.0, 0.5, 0.9, 1.0}},
-                         {"rotor_x", "m", {1.0, 1.0, 3e-3, 1e-3}},
-                         {"rotor_y", "m", {1.0, 1.0, 4e-3, 1e-3}},
-                         {"control_x", "N", {99.0, 99.0, 6.0, 0.0}},
-                         {"control_y", "N", {99.0, 99.0, 0.0, 8.0}}},
-                        1.0);
-  side.metrics.mean_force = 7.0;
-  const Trade trade = trade_of(side);
-  EXPECT_NEAR(trade.orbit, 5e-3, 1e-15);
-  EXPECT_EQ(trade.contact_force, 7.0);
-  EXPECT_NEAR(trade.actuator_force, std::sqrt(50.0), 1e-12);
-  EXPECT_TRUE(trade_data({}).is_null());
 }
 
 TEST(Characteristics, AreTheLawsOwn) {
