@@ -24,10 +24,9 @@ Table controller() {
            {"passive", "sliding", "cross_coupled", "two_phase", "pd", "lqr", "lqg", "library"},
            kRequired,
            "`passive`: emulated spring and damper; `sliding`: sliding mode that brings the ring to "
-           "the rotor; `cross_coupled`: force -k(Omega) e_z x v on a ring with velocity v; "
-           "`two_phase`: `sliding` until the first touch, then `cross_coupled`; `pd`: spring and "
-           "damper to the rotor; `lqr`, `lqg`: linear quadratic feedback of the state or its "
-           "estimate; `library`: your own"),
+           "the rotor; `cross_coupled`: force -k(Omega) e_z x v, v: the ring's velocity; "
+           "`two_phase`: `sliding`, then `cross_coupled` from the first touch on; `pd`: spring and "
+           "damper to the rotor; `lqr`, `lqg`: linear quadratic; `library`: your own"),
        key<&Controller::on>("on", kTime, "", kStandard,
                             "when it is switched on, or its trigger armed"),
        key<&Controller::sample_time>("sample_time", kTime, ">= 0", kStandard,

@@ -14,11 +14,11 @@ Table drive() {
       "The motor's torque T on the spin.",
       "the spin speed is held at `rotor.speed`",
       [](Scene& scene) -> void* { return &scene.drive.emplace(); },
-      {word<&Drive::kind>(
-           "kind", {"free", "linear", "kloss", "table", "speed_controlled"}, kRequired,
-           "`free`: T = 0; `linear`: T = `gain` (`speed` - Omega); `kloss` (asynchronous): T = 2 "
-           "T_b s s_b/(s^2 + s_b^2), s = 1 - Omega/`synchronous_speed`; `table`: T(Omega); "
-           "`speed_controlled`: PI control"),
+      {word<&Drive::kind>("kind", {"free", "linear", "kloss", "table", "speed_controlled"},
+                          kRequired,
+                          "`free`: T = 0; `linear`: T = `gain` (`speed` - Omega); `kloss` "
+                          "(asynchronous): T = 2 T_b s s_b/(s^2 + s_b^2), s = 1 - "
+                          "Omega/`synchronous_speed`; `table`: T(Omega); `speed_controlled`: PI"),
        key<&Drive::gain>("gain", kAngularDamping, ">= 0", kRequired, "torque per speed difference",
                          {"linear", "speed_controlled"}),
        key<&Drive::speed>("speed", kSpin, "", kRequired, "set speed",
@@ -68,8 +68,8 @@ Table force() {
        key<&Force::static_moment>("static_moment", kStaticMoment, ">= 0", kRequired,
                                   "mass times eccentricity", {"unbalance"}),
        key<&Force::phase>("phase", kAngle, "", kStandard,
-                          "angle from the x axis at t = 0 (`chirp`: at `on`); `synchronous`, "
-                          "`unbalance`: from the rotor's x axis",
+                          "angle from the x axis at t = 0 (`chirp`: at `on`), or from the rotor's "
+                          "x axis (`synchronous`, `unbalance`)",
                           {"rotating", "synchronous", "chirp", "unbalance"}),
        key<&Force::vector>("vector", kForce, "", kRequired, "force, or peak of the pulse",
                            {"constant", "pulse"}),

@@ -67,8 +67,8 @@ Table rotor() {
        modes(),
        shaft<&RotorGeometry::modes_tolerance>(
            "modes_tolerance", kPure, "in (0, 1)", kStandard,
-           "for `auto`: largest relative error of effective mass at the contact and static "
-           "flexibility at contact, bearings and forces"),
+           "for `auto`: relative error of effective mass at the contact and static flexibility at "
+           "contact, bearings and forces"),
        shaft<&RotorGeometry::max_frequency>("max_frequency", kSpin, "> 0", "by `modes`",
                                             "highest bending frequency kept, at rest"),
        shaft<&RotorGeometry::damping_ratio>("damping_ratio", kPure, ">= 0", kStandard,
