@@ -41,12 +41,12 @@ double of(const Metrics& m) {
 
 const Figure kFigures[] = {
     {{"mean_force", "mean normal force", "N", 1.0,
-      "Normal impulse of all contacts, divided by the time from first touch."},
+      "Normal impulse of all contacts per time from first touch."},
      {kRel, kAverage},
      of<&Metrics::mean_force>},
     {{"lasting_fraction", "lasting contact", "%", 100.0,
-      "Share of the time from first touch in lasting contact: without steps with impacts and, "
-      "with a soft contact, without episodes shorter than 20 of the scene's steps."},
+      "Share of the time from first touch in lasting contact: without steps with impacts and, with "
+      "a soft contact, episodes shorter than 20 of the scene's steps."},
      {kPts, kAverage},
      of<&Metrics::lasting_fraction>},
     {{"impulse_total", "total impulse", "N s", 1.0, "Total normal impulse on the rotor."},
@@ -56,8 +56,7 @@ const Figure kFigures[] = {
      {kRel, kAverage, 1e-3},
      of<&Metrics::friction_work>},
     {{"whirl_frequency", "whirl", "Hz", kHz,
-      "Mean whirl of the rotor about the ring's centre in the last fifth of the run; negative: "
-      "backward."},
+      "Mean whirl about the ring's centre in the last fifth of the run; negative: backward."},
      {kRel, kAverage, 1.0 / kHz},
      [](const Metrics& m) { return m.settled.whirl_frequency; }},
     {{"spin_speed", "spin", "rad/s", 1.0,
@@ -71,7 +70,7 @@ const Figure kFigures[] = {
      {kRel, kAverage, 1.0},
      of<&Metrics::ring_speed>},
     {{"control_force", "control force, rms", "N", 1.0,
-      "Rms of the actuator's actual force on the ring; of several actuators, the largest."},
+      "Rms of the actuator's force on the ring; of several, the largest."},
      {kRel, kAverage, 0.1},
      of<&Metrics::control_force>},
     {{"near_miss", "least gap", "µm", 1e6, "Smallest gap of a run without contact."},
@@ -91,13 +90,12 @@ const Figure kFigures[] = {
      {kRel, kPeak},
      of<&Metrics::impact_impulse>},
     {{"window_impulse", "largest impulse", "N s", 1.0,
-      "Largest normal impulse within 20 of the scene's steps, the time over which a soft contact "
-      "spreads an impact."},
+      "Largest normal impulse within 20 of the scene's steps, over which a soft contact spreads an "
+      "impact."},
      {.scale = kRel, .judged = kPeak, .by_step = true},
      of<&Metrics::window_impulse>},
     {{"hard_impacts", "hard impacts", "", 1.0,
-      "Impacts (soft contact: contact episodes) faster than 1 % of the fastest, which every "
-      "useful step resolves."},
+      "Impacts (soft contact: contact episodes) faster than 1 % of the fastest."},
      {kCount, kPeak, 1.0, false},
      of<&Metrics::hard_impacts>},
     {{"gap_rate_rms", "rms gap rate", "mm/s", 1e3,
@@ -110,13 +108,13 @@ const Figure kFigures[] = {
      {kPts, kNo},
      of<&Metrics::contact_fraction>},
     {{"force_deviation", "force scatter", "N", 1.0,
-      "Standard deviation of the step-averaged normal force from first touch; with impacts it "
-      "grows as the step shrinks."},
+      "Standard deviation of the step-averaged normal force from first touch; impacts make it grow "
+      "as the step shrinks."},
      {.scale = kRel, .judged = kNo, .by_step = true},
      of<&Metrics::force_deviation>},
     {{"peak_force", "impulse / step, max", "N", 1.0,
-      "Largest impulse of one step, divided by the step. A rigid impact has no force, so it grows "
-      "as the step shrinks."},
+      "Largest impulse of one step, divided by the step; impacts make it grow as the step "
+      "shrinks."},
      {.scale = kRel, .judged = kNo, .by_step = true},
      of<&Metrics::peak_force>},
     {{"impacts", "impacts", "", 1.0,
@@ -124,7 +122,7 @@ const Figure kFigures[] = {
      {kCount, kNo, 1.0},
      of<&Metrics::impacts>},
     {{"max_penetration", "penetration, max", "µm", 1e6,
-      "Largest penetration; with a rigid contact, at most the distance flown in one step."},
+      "Largest penetration; with a rigid contact at most the way of one step."},
      {kRel, kNo, 0.0, true, false},
      of<&Metrics::max_penetration>},
     {{"rms_penetration", "penetration, rms", "µm", 1e6,
@@ -133,7 +131,7 @@ const Figure kFigures[] = {
      of<&Metrics::rms_penetration>},
     {{"whirl_penetration", "one step's depth", "µm", 1e6,
       "(v_t dt)^2 / (2 delta_0): penetration of a whirling rotor after one step along the "
-      "tangent; of several contacts, the largest."},
+      "tangent."},
      {kRel, kNo, 0.0, false, false, true},
      of<&Metrics::whirl_penetration>},
     {{"energy_residual", "energy balance", "ppm", 1e6,

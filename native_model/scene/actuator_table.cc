@@ -19,9 +19,8 @@ Table actuator() {
       [](Scene& scene) -> void* { return &scene.auxiliary.back().actuator.emplace(); },
       {word<&Actuator::kind>(
            "kind", {"ideal", "electromagnet", "table"}, kStandard,
-           "`ideal`: the commanded force; `electromagnet`: F(s, i) = `force_constant` "
-           "[((`bias_current` + i)/(`air_gap` - s))^2 - ((`bias_current` - i)/(`air_gap` + s))^2] "
-           "- `stiffness` s; `table`: F(s, i) by a bicubic spline"),
+           "`ideal`: the commanded force; `electromagnet`: F(s, i) = k_m [((i_0 + i)/(s_0 - s))^2 "
+           "- ((i_0 - i)/(s_0 + s))^2] - `stiffness` s; `table`: F(s, i) by a bicubic spline"),
        key<&Actuator::force_limit>("force_limit", kForce, "> 0", "none",
                                    "largest force on each axis", {"ideal"}),
        key<&Actuator::force_constant>("force_constant", kMagnetConstant, "> 0", kRequired, "k_m",
@@ -38,9 +37,9 @@ Table actuator() {
                                      "values of i, ascending through 0, four or more", {"table"}),
        key<&Actuator::table_force>(
            "table_force", kForce, "", kRequired,
-           "F for all currents, position after position; must rise with the current", {"table"}),
+           "F for all currents, position after position, rising with the current", {"table"}),
        key<&Actuator::current_limit>("current_limit", kCurrent, "> 0",
-                                     "the maximum: `bias_current`, or the table's range",
+                                     "`bias_current`, or the table's range",
                                      "largest commanded current", {"electromagnet", "table"}),
        key<&Actuator::coil_lag>("coil_lag", kTime, ">= 0", kStandard,
                                 "time constant: `coil_lag` di/dt = command - i",

@@ -12,9 +12,9 @@ namespace {
 Table contact() {
   return {
       "contact",
-      "Contact of the rotor with the ring of an auxiliary bearing. For several bearings use "
-      "`[[contact]]`, each followed by its own `[contact.stator]`, `[contact.actuator]` and "
-      "`[contact.controller]` in place of `[stator]`, `[actuator]` and `[controller]`.",
+      "Contact of the rotor with the ring of an auxiliary bearing. For several use `[[contact]]`, "
+      "each followed by its own `[contact.stator]`, `[contact.actuator]` and "
+      "`[contact.controller]` in place of `[stator]` and so on.",
       "no contact",
       [](Scene& scene) -> void* {
         scene.auxiliary.back().contact.emplace();
@@ -27,8 +27,8 @@ Table contact() {
        key<&AuxiliaryBearing::contact, &Contact::friction, &FrictionLaw::coefficient>(
            "friction", kPure, ">= 0", kRequired, "mu, or the table `[contact.friction]`"),
        key<&AuxiliaryBearing::contact, &Contact::restitution>(
-           "restitution", kPure, "in [0, 1]",
-           "required, unless `contact.compliance` sets the damping", "eps_N, normal restitution"),
+           "restitution", kPure, "in [0, 1]", "required, unless the compliance has a damping",
+           "eps_N, normal restitution"),
        key<&AuxiliaryBearing::contact, &Contact::tangential_restitution>(
            "tangential_restitution", kPure, "in [0, 1]", kStandard,
            "eps_T, tangential restitution"),
@@ -42,12 +42,11 @@ Table contact() {
            .or_called("z")
            .in(Form::kGeometry),
        key<&AuxiliaryBearing::contact, &Contact::offset>(
-           "offset", kLength, "", kStandard,
-           "centre of the resting ring relative to the resting shaft"),
+           "offset", kLength, "", kStandard, "resting ring's centre relative to the resting shaft"),
        key<&AuxiliaryBearing::name>("name", kPure, "", "its number, from 1",
                                     "unique name in messages and figures"),
        key<&AuxiliaryBearing::contact, &Contact::shape>(
-           "shape", kPure, "", "all 1", "mode values at the station; 1 for the first contact")
+           "shape", kPure, "", "all 1", "mode values at the station; first contact: 1")
            .in(Form::kModal),
        key<&AuxiliaryBearing::contact, &Contact::torsion_shape>("torsion_shape", kPure, "", "all 1",
                                                                 "torsion mode values, likewise")
@@ -58,10 +57,9 @@ Table compliance() {
   return {
       "contact.compliance",
       "Compliant contact: at penetration p the normal force is N = `stiffness` p^`exponent` (1 + a "
-      "p'), never below 0. By default a touch at speed v gets the a for which two free masses "
-      "rebound with `restitution` e: ln[(1 + a v)/(1 - a e v)] = a v (1 + e), with e at least 0.01 "
-      "and v at least 0.1 mm/s; a contact closed at the start has a = 0 until it opens. Friction "
-      "follows Coulomb's law; a sticking contact is rigid tangentially.",
+      "p'), never below 0. By default each touch gets the a for which two free masses rebound with "
+      "`restitution` ([theory](../../native_model/docs/theory.md#compliant-contact)). A sticking "
+      "contact is rigid tangentially.",
       "the contact is rigid",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().contact->compliance.emplace(); },
       {key<&Compliance::stiffness>("stiffness", kContactStiffness, "> 0", kRequired,
@@ -85,15 +83,14 @@ Table friction() {
   return {
       "contact.friction",
       "Friction that depends on the slip v: mu(v) = kinetic + (static - kinetic) exp(-(v / "
-      "stribeck_speed)^2) + viscous |v|. Short form: `friction = { static = 0.3, kinetic = 0.15, "
-      "stribeck_speed = 0.1 }`.",
+      "stribeck_speed)^2) + viscous |v|.",
       "mu is constant",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().contact->friction; },
       {key<&FrictionLaw::coefficient>("kinetic", kPure, ">= 0", kRequired, "mu in fast sliding"),
        rest,
        key<&FrictionLaw::stribeck_speed>("stribeck_speed", kVelocity, "> 0",
                                          "required if static > kinetic",
-                                         "slip at which mu has lost 63 % of static - kinetic"),
+                                         "slip at which mu has lost 63 % of the difference"),
        key<&FrictionLaw::viscous>("viscous", kSlowness, ">= 0", kStandard,
                                   "increase of mu with the slip")}};
 }

@@ -24,18 +24,15 @@ Table controller() {
            {"passive", "sliding", "cross_coupled", "two_phase", "pd", "lqr", "lqg", "library"},
            kRequired,
            "`passive`: emulated spring and damper; `sliding`: sliding mode that brings the ring to "
-           "the rotor; `cross_coupled`: gain k(Omega) at right angles to the ring's velocity; "
-           "`two_phase`: `sliding` until the first touch, then `cross_coupled`; `pd`: spring and "
-           "damper to the rotor; `lqr`, `lqg`: linear quadratic feedback of the state or its "
-           "estimate; `library`: your own"),
+           "the rotor; `cross_coupled`: force -k(Omega) e_z x v, v: the ring's velocity; "
+           "`two_phase`: `sliding`, then `cross_coupled` from the first touch on; `pd`: spring and "
+           "damper to the rotor; `lqr`, `lqg`: linear quadratic; `library`: your own"),
        key<&Controller::on>("on", kTime, "", kStandard,
-                            "switch-on time, or time of arming the trigger"),
+                            "when it is switched on, or its trigger armed"),
        key<&Controller::sample_time>("sample_time", kTime, ">= 0", kStandard,
                                      "sampling interval; 0: continuous, for laws without memory"),
        key<&Controller::library>("library", kPure, "", kRequired,
-                                 "shared library beside the scene's file, or an absolute path (C "
-                                 "header: rotorub/controller.h)",
-                                 {"library"}),
+                                 "shared library, beside the scene or absolute", {"library"}),
        key<&Controller::bandwidth>("bandwidth", kRate, "> 0", kStandard,
                                    "psi, decay rate of the tracking error",
                                    {"sliding", "two_phase"}),
@@ -62,7 +59,7 @@ Table controller() {
                                    {"passive", "pd"}),
        key<&Controller::damping>(
            "damping", kDamping, ">= 0", kStandard,
-           "emulated damper; `pd`: gain on the error's rate; else ring damping beside the feedback",
+           "emulated damper; `pd`: gain on the error's rate; else damping of the ring",
            {"passive", "pd", "cross_coupled", "two_phase"}),
        key<&Controller::feedback>("feedback", kDamping, ">= 0", kRequired,
                                   "k: one value, as `[200]`, or one per speed",
@@ -72,24 +69,20 @@ Table controller() {
                                         {"cross_coupled", "two_phase"}),
        key<&Controller::handover_time>("handover_time", kTime, "> 0", kStandard,
                                        "fade-out time of the `sliding` force", {"two_phase"}),
-       key<&Controller::filter_time>(
-           "filter_time", kTime, ">= 0", "one turn of the spin",
-           "averaging time of the feed-forward in the whirl's frame; sampled laws only",
-           {"sliding", "two_phase"}),
+       key<&Controller::filter_time>("filter_time", kTime, ">= 0", "one turn of the spin",
+                                     "averaging time of a sampled law's feed-forward",
+                                     {"sliding", "two_phase"}),
        key<&Controller::tracking_damping>(
            "tracking_damping", kDamping, ">= 0", "critical damping",
-           "damping of the ring about its mean velocity in that frame; sampled laws only",
-           {"sliding", "two_phase"}),
+           "damping of the ring about its mean velocity (sampled laws)", {"sliding", "two_phase"}),
        key<&Controller::allowed_error>("allowed_error", kLength, "> 0", kStandard,
-                                       "e_0, allowed distance of the rotor from the ring's centre",
-                                       {"lqr", "lqg"}),
+                                       "e_0, allowed distance of the centres", {"lqr", "lqg"}),
        key<&Controller::allowed_travel>("allowed_travel", kLength, "> 0", kStandard,
                                         "s_0, allowed ring travel", {"lqr", "lqg"}),
        key<&Controller::allowed_force>("allowed_force", kForce, "> 0", kStandard,
                                        "u_0, allowed actuator force", {"lqr", "lqg"}),
-       key<&Controller::disturbance>(
-           "disturbance", kForce, "> 0", kStandard,
-           "standard deviation of forces on rotor and ring at the contact", {"lqg"}),
+       key<&Controller::disturbance>("disturbance", kForce, "> 0", kStandard,
+                                     "standard deviation of forces at the contact", {"lqg"}),
        key<&Controller::measurement_error>("measurement_error", kLength, "> 0", kStandard,
                                            "standard deviation of measured positions", {"lqg"})}};
 }
@@ -100,10 +93,10 @@ Table sensors() {
           "deviations of noise. Needs `sample_time`.",
           "exact values",
           [](Scene& scene) -> void* { return &scene.auxiliary.back().controller->sensors; },
-          {key<&Sensors::rotor>("rotor", kPure, "", kStandard, "measure the rotor"),
-           key<&Sensors::stator>("stator", kPure, "", kStandard, "measure the ring"),
-           key<&Sensors::spin>("spin", kPure, "", kStandard, "measure spin angle and speed"),
-           key<&Sensors::current>("current", kPure, "", kStandard, "measure the magnets' currents"),
+          {key<&Sensors::rotor>("rotor", kPure, "", kStandard, "whether it is measured"),
+           key<&Sensors::stator>("stator", kPure, "", kStandard, "whether it is measured"),
+           key<&Sensors::spin>("spin", kPure, "", kStandard, "whether it is measured"),
+           key<&Sensors::current>("current", kPure, "", kStandard, "whether it is measured"),
            word<&Sensors::velocity>(
                "velocity", {"measured", "difference", "none"}, kStandard,
                "velocities of rotor and ring: measured, from two positions, or unknown"),

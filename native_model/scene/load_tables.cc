@@ -14,11 +14,11 @@ Table drive() {
       "The motor's torque T on the spin.",
       "the spin speed is held at `rotor.speed`",
       [](Scene& scene) -> void* { return &scene.drive.emplace(); },
-      {word<&Drive::kind>(
-           "kind", {"free", "linear", "kloss", "table", "speed_controlled"}, kRequired,
-           "`free`: T = 0; `linear`: T = `gain` (`speed` - Omega); `kloss`: asynchronous motor, T "
-           "= 2 T_b s s_b/(s^2 + s_b^2), s = 1 - Omega/`synchronous_speed`; `table`: T(Omega) from "
-           "the lists; `speed_controlled`: PI control of the speed"),
+      {word<&Drive::kind>("kind", {"free", "linear", "kloss", "table", "speed_controlled"},
+                          kRequired,
+                          "`free`: T = 0; `linear`: T = `gain` (`speed` - Omega); `kloss` "
+                          "(asynchronous): T = 2 T_b s s_b/(s^2 + s_b^2), s = 1 - "
+                          "Omega/`synchronous_speed`; `table`: T(Omega); `speed_controlled`: PI"),
        key<&Drive::gain>("gain", kAngularDamping, ">= 0", kRequired, "torque per speed difference",
                          {"linear", "speed_controlled"}),
        key<&Drive::speed>("speed", kSpin, "", kRequired, "set speed",
@@ -28,7 +28,7 @@ Table drive() {
        key<&Drive::torque_limit>("torque_limit", kTorque, "> 0", "none",
                                  "largest torque in either direction", {"speed_controlled"}),
        key<&Drive::acceleration>("acceleration", kAngularAcceleration, "> 0", "`speed` at once",
-                                 "rate of the reference from `rotor.speed` to `speed`",
+                                 "ramp of the reference from `rotor.speed` to `speed`",
                                  {"speed_controlled"}),
        key<&Drive::breakdown_torque>("breakdown_torque", kTorque, "> 0", kRequired,
                                      "T_b, largest torque", {"kloss"}),
@@ -39,8 +39,7 @@ Table drive() {
        key<&Drive::table_speed>("table_speed", kSpin, "", kRequired,
                                 "ascending speeds, two or more", {"table"}),
        key<&Drive::table_torque>("table_torque", kTorque, "", kRequired,
-                                 "T at these speeds, interpolated as in [[rotor.bearing]]",
-                                 {"table"}),
+                                 "T there, interpolated as in [[rotor.bearing]]", {"table"}),
        key<&Drive::station>("station", kLength, ">= 0", kStandard, "axial position of the motor")
            .or_called("z")
            .in(Form::kGeometry),
@@ -57,21 +56,20 @@ Table force() {
       {word<&Force::kind>(
            "kind", {"rotating", "constant", "synchronous", "chirp", "pulse", "unbalance"},
            kRequired,
-           "`rotating`: turns at `frequency`; `constant`: `vector`; `synchronous`: turns with the "
-           "spin, without torque on it; `chirp`: from `frequency` at `on` to `frequency_end` at "
-           "`off`; `pulse`: a half-sine of `vector`; `unbalance`: a blade is lost at `on`"),
-       key<&Force::amplitude>("amplitude", kForce, "", kRequired,
-                              "size; if negative, in the opposite direction",
+           "`rotating`: at `frequency`; `constant`: `vector`; `synchronous`: with the spin, "
+           "without torque on it; `chirp`: from `frequency` at `on` to `frequency_end` at `off`, "
+           "linearly; `pulse`: a half-sine of `vector`; `unbalance`: a blade lost at `on`"),
+       key<&Force::amplitude>("amplitude", kForce, "", kRequired, "size; negative: opposite",
                               {"rotating", "synchronous", "chirp"}),
        key<&Force::frequency>("frequency", kSpin, "", kRequired,
-                              "turning speed; if negative, backward", {"rotating", "chirp"}),
-       key<&Force::frequency_end>("frequency_end", kSpin, "", kRequired,
-                                  "frequency at `off`, reached linearly", {"chirp"}),
+                              "turning speed; negative: backward", {"rotating", "chirp"}),
+       key<&Force::frequency_end>("frequency_end", kSpin, "", kRequired, "frequency at `off`",
+                                  {"chirp"}),
        key<&Force::static_moment>("static_moment", kStaticMoment, ">= 0", kRequired,
                                   "mass times eccentricity", {"unbalance"}),
        key<&Force::phase>("phase", kAngle, "", kStandard,
-                          "angle from the x axis at t = 0 (`chirp`: at `on`); `synchronous`, "
-                          "`unbalance`: from the rotor's x axis",
+                          "angle from the x axis at t = 0 (`chirp`: at `on`), or from the rotor's "
+                          "x axis (`synchronous`, `unbalance`)",
                           {"rotating", "synchronous", "chirp", "unbalance"}),
        key<&Force::vector>("vector", kForce, "", kRequired, "force, or peak of the pulse",
                            {"constant", "pulse"}),

@@ -13,20 +13,18 @@ Table magnetic_bearing() {
       "several use [[magnetic_bearing]], each followed by its own tables.",
       "none",
       [](Scene& scene) -> void* { return &scene.magnetic_bearings.emplace_back(); },
-      {word<&MagneticBearing::kind>(
-           "kind", {"linear", "electromagnet"}, kStandard,
-           "`linear`: F = `negative_stiffness` r + `force_per_current` i; `electromagnet`: two "
-           "opposed magnets on each of x and y, F = `force_constant` [((`bias_current` + "
-           "i)/(`air_gap` - r))^2 - ((`bias_current` - i)/(`air_gap` + r))^2]"),
+      {word<&MagneticBearing::kind>("kind", {"linear", "electromagnet"}, kStandard,
+                                    "`linear`: F = `negative_stiffness` r + `force_per_current` i; "
+                                    "`electromagnet`: two magnets on each of x and y, F = k_m "
+                                    "[((i_0 + i)/(s_0 - r))^2 - ((i_0 - i)/(s_0 + r))^2]"),
        key<&MagneticBearing::negative_stiffness>("negative_stiffness", kStiffness, ">= 0",
                                                  kRequired, "k_s", {"linear"}),
        key<&MagneticBearing::force_constant>("force_constant", kMagnetConstant, "> 0", kRequired,
                                              "k_m", {"electromagnet"}),
        key<&MagneticBearing::bias_current>("bias_current", kCurrent, "> 0", kRequired,
                                            "i_0, in both magnets", {"electromagnet"}),
-       key<&MagneticBearing::air_gap>(
-           "air_gap", kLength, "> 0", kRequired,
-           "s_0, gap of each magnet at r = 0; the cores do not stop the rotor", {"electromagnet"}),
+       key<&MagneticBearing::air_gap>("air_gap", kLength, "> 0", kRequired,
+                                      "s_0, gap of each magnet at r = 0", {"electromagnet"}),
        key<&MagneticBearing::shape>("shape", kPure, "", "all 1", "mode values at the station")
            .in(Form::kModal),
        key<&MagneticBearing::station>("station", kLength, ">= 0", kRequired, "axial position")
@@ -43,21 +41,21 @@ Table magnetic_bearing() {
 Table bearing_control() {
   return {
       "magnetic_bearing.control",
-      "Feedback on x and on y of the deflection r at the sensor. A bearing that is switched off "
-      "has neither current nor negative stiffness.",
+      "Feedback of the deflection r at the sensor, on x and on y. A bearing that is off has "
+      "neither current nor negative stiffness.",
       "i = 0",
       [](Scene& scene) -> void* { return &scene.magnetic_bearings.back().control.emplace(); },
       {word<&BearingControl::form>(
            "kind", {"pid", "transfer_function", "state_space", "shared"}, kStandard,
-           "`pid`: i = -(`proportional` r + `integral` times the integral of r + `derivative` r'), "
-           "continuous or sampled; `transfer_function`: i = -H(z) r; `state_space`: x_{k+1} = A "
-           "x_k + B r, i = -(C x_k + D r), per axis; `shared`: by [magnetic_control]"),
-       key<&BearingControl::force_per_current>(
-           "force_per_current", kForcePerCurrent, "> 0", "by the electromagnet",
-           "k_i; required for a `linear` bearing, else not allowed"),
-       key<&BearingControl::proportional>(
-           "proportional", kCurrentPerLength, ">= 0", "0; required for `pid`",
-           "P; for other kinds only a spring for computing the shaft's modes"),
+           "`pid`: i = -(P r + I times the integral of r + D r'); `transfer_function`: i = -H(z) "
+           "r; `state_space`: x_{k+1} = A x_k + B r, i = -(C x_k + D r), per axis; `shared`: by "
+           "[magnetic_control]"),
+       key<&BearingControl::force_per_current>("force_per_current", kForcePerCurrent, "> 0",
+                                               "required for `linear`",
+                                               "k_i, for a `linear` bearing"),
+       key<&BearingControl::proportional>("proportional", kCurrentPerLength, ">= 0",
+                                          "0; required for `pid`",
+                                          "P; for other kinds a spring for the shaft's modes"),
        key<&BearingControl::integral>("integral", kCurrentPerLengthTime, ">= 0", kStandard,
                                       "I, with anti-windup; needs `proportional`", {"pid"}),
        key<&BearingControl::derivative>("derivative", kCurrentPerVelocity, ">= 0", kStandard, "D",
@@ -68,8 +66,8 @@ Table bearing_control() {
            "sample_time", kTime, ">= 0", "0; required except for `pid`",
            "sampling interval; 0: continuous", {"pid", "transfer_function", "state_space"}),
        key<&BearingControl::delay>("delay", kTime, ">= 0", kStandard,
-                                   "time from sample to current, a multiple of `sample_time`; the "
-                                   "current is 0 for this time after switching on",
+                                   "from sample to current, a multiple of `sample_time`; after "
+                                   "switching on the current is 0 for this time",
                                    {"pid", "transfer_function", "state_space"}),
        key<&BearingControl::numerator>("numerator", kCurrentPerLength, "", kRequired,
                                        "b_0, b_1, ... of H, by powers of 1/z",
@@ -84,10 +82,9 @@ Table bearing_control() {
            "output_matrix", kPure, "", kRequired, "C, n values", {"state_space"}),
        key<&BearingControl::matrices, &ControlMatrices::feedthrough>(
            "feedthrough", kCurrentPerLength, "", kRequired, "[D]", {"state_space"}),
-       key<&BearingControl::current_limit>(
-           "current_limit", kCurrent, "> 0",
-           "none; `bias_current` of an electromagnet, also the maximum",
-           "largest current on each axis"),
+       key<&BearingControl::current_limit>("current_limit", kCurrent, "> 0",
+                                           "none; electromagnet: `bias_current`, the maximum",
+                                           "largest current on each axis"),
        key<&BearingControl::works_from>("on", kTime, ">= 0", kStandard, "switch-on time"),
        key<&BearingControl::fails_at>("fails_at", kTime, ">= 0", "never", "switch-off time"),
        key<&BearingControl::returns_at>("returns_at", kTime, ">= 0", "never",
@@ -95,31 +92,30 @@ Table bearing_control() {
 }
 
 Table magnetic_control() {
-  return {"magnetic_control",
-          "One sampled law for all bearings with a `shared` control, from the p deflections r at "
-          "their sensors to the p currents i: x, y of each bearing in file order. Matrices are "
-          "listed row by row.",
-          "each bearing has its own law",
-          [](Scene& scene) -> void* { return &scene.magnetic_control.emplace(); },
-          {word<&SharedControl::kind>(
-               "kind", {"matrices", "library"}, kStandard,
-               "`matrices`: x_{k+1} = A x_k + B r, i = -(C x_k + D r); `library`: your own"),
-           key<&SharedControl::sample_time>("sample_time", kTime, "> 0", kRequired,
-                                            "sampling interval"),
-           key<&SharedControl::delay>("delay", kTime, ">= 0", kStandard,
-                                      "as in [magnetic_bearing.control]"),
-           key<&SharedControl::matrices, &ControlMatrices::state>(
-               "state_matrix", kPure, "", kRequired, "A, n times n", {"matrices"}),
-           key<&SharedControl::matrices, &ControlMatrices::input>(
-               "input_matrix", kPure, "", kRequired, "B, n times p", {"matrices"}),
-           key<&SharedControl::matrices, &ControlMatrices::output>(
-               "output_matrix", kPure, "", kRequired, "C, p times n", {"matrices"}),
-           key<&SharedControl::matrices, &ControlMatrices::feedthrough>(
-               "feedthrough", kCurrentPerLength, "", kRequired, "D, p times p", {"matrices"}),
-           key<&SharedControl::library>("library", kPure, "", kRequired,
-                                        "shared library beside the scene's file, or an absolute "
-                                        "path (C header: rotorub/controller.h)",
-                                        {"library"})}};
+  return {
+      "magnetic_control",
+      "One sampled law for all bearings of kind `shared`, from the p deflections r at their "
+      "sensors to the p currents i: x, y of each bearing in file order. Matrices are listed row by "
+      "row.",
+      "each bearing has its own law",
+      [](Scene& scene) -> void* { return &scene.magnetic_control.emplace(); },
+      {word<&SharedControl::kind>(
+           "kind", {"matrices", "library"}, kStandard,
+           "`matrices`: x_{k+1} = A x_k + B r, i = -(C x_k + D r); `library`: your own"),
+       key<&SharedControl::sample_time>("sample_time", kTime, "> 0", kRequired,
+                                        "sampling interval"),
+       key<&SharedControl::delay>("delay", kTime, ">= 0", kStandard,
+                                  "as in [magnetic_bearing.control]"),
+       key<&SharedControl::matrices, &ControlMatrices::state>("state_matrix", kPure, "", kRequired,
+                                                              "A, n times n", {"matrices"}),
+       key<&SharedControl::matrices, &ControlMatrices::input>("input_matrix", kPure, "", kRequired,
+                                                              "B, n times p", {"matrices"}),
+       key<&SharedControl::matrices, &ControlMatrices::output>(
+           "output_matrix", kPure, "", kRequired, "C, p times n", {"matrices"}),
+       key<&SharedControl::matrices, &ControlMatrices::feedthrough>(
+           "feedthrough", kCurrentPerLength, "", kRequired, "D, p times p", {"matrices"}),
+       key<&SharedControl::library>("library", kPure, "", kRequired,
+                                    "shared library, beside the scene or absolute", {"library"})}};
 }
 
 Table magnetic_config() {

@@ -19,7 +19,7 @@ Table stator() {
                                   "spring to base or housing"),
        key<&Stator::position>(
            "position", kLength, "", "[0, 0]",
-           "position at t = 0, from rest; only in [contact.stator], else use `initial.stator`")
+           "position at t = 0, from rest; only in [contact.stator] (else `initial.stator`)")
            .below_list(),
        key<&Stator::velocity>("velocity", kVelocity, "", "[0, 0]", "velocity at t = 0, likewise")
            .below_list()}};
@@ -27,7 +27,7 @@ Table stator() {
 
 Table ring_spin() {
   return {"stator.spin",
-          "Lets the rub spin the ring about its axis, as in a ball bearing. Needs [contact].",
+          "The rub spins the ring about its axis, as in a ball bearing.",
           "the ring does not turn",
           [](Scene& scene) -> void* { return &scene.auxiliary.back().stator->spin.emplace(); },
           {key<&RingSpin::inertia>("inertia", kInertia, "> 0", kRequired,
@@ -38,7 +38,7 @@ Table ring_spin() {
                                     "dry friction torque at no load"),
            key<&RingSpin::load_factor>(
                "load_factor", kPure, ">= 0", kStandard,
-               "f_1 of Palmgren's torque f_1 P `pitch_diameter`; P: force on the ring's support"),
+               "f_1 of Palmgren's torque f_1 P `pitch_diameter` under the load P"),
            key<&RingSpin::pitch_diameter>("pitch_diameter", kLength, "> 0", "none",
                                           "pitch diameter of the balls; needs `load_factor`"),
            key<&RingSpin::presliding_angle>("presliding_angle", kAngle, "> 0", kStandard,
@@ -49,7 +49,7 @@ Table mount() {
   return {
       "stator.mount",
       "A housing between ring and base. `stator.stiffness`, `stator.damping` and the tables below "
-      "then act between ring and housing; the actuator stands on the base.",
+      "then act on the housing; the actuator stands on the base.",
       "the base carries the ring",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().stator->mount.emplace(); },
       {planes<&Housing::mass>("mass", kMass, "> 0", kRequired, "housing mass"),
@@ -93,9 +93,9 @@ Table ball_bearing() {
       [](Scene& scene) -> void* { return &scene.auxiliary.back().stator->ball_bearing.emplace(); },
       {key<&BallSupport::balls>("balls", kPure, "in [3, 100]", kRequired, "number of balls"),
        key<&BallSupport::stiffness>("stiffness", kPure, "> 0", kRequired,
-                                    "stiffness of one ball between both races, N/m^1.5"),
+                                    "of one ball between both races, N/m^1.5"),
        key<&BallSupport::play>("play", kLength, ">= 0", kStandard,
-                               "ring travel before the first ball carries load"),
+                               "ring travel before a ball carries load"),
        key<&BallSupport::phase>("phase", kAngle, "", kStandard,
                                 "first ball's angle from the x axis")}};
 }

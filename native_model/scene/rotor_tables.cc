@@ -25,9 +25,8 @@ Key shaft(std::string_view name, const Quantity& quantity, std::string_view rang
 
 // A number or "auto".
 Key modes() {
-  Key key = shaft<&RotorGeometry::modes>(
-      "modes", kPure, "in [1, 1000]", "by `max_frequency`",
-      "bending modes per plane; `auto`: as few as `modes_tolerance` allows");
+  Key key = shaft<&RotorGeometry::modes>("modes", kPure, "in [1, 1000]", "by `max_frequency`",
+                                         "bending modes per plane");
   key.words = {kAuto};
   key.store = [](void* object, const Value& value) {
     auto& shaft = static_cast<Rotor*>(object)->geometry;
@@ -41,44 +40,43 @@ Key modes() {
 Key theory() {
   return word<&Rotor::geometry, &RotorGeometry::theory>(
              "theory", {"euler-bernoulli", "timoshenko"}, kStandard,
-             "beam theory: `timoshenko` includes shear deformation; both have rotary inertia")
+             "beam theory; `timoshenko` includes shear deformation")
       .in(Form::kGeometry);
 }
 
 Table rotor() {
   return {
       "rotor",
-      "The shaft, given by its geometry (keys below, sections, discs, bearings) or its modes "
-      "([rotor.modal]).",
+      "The shaft, given by its geometry (keys below, sections, discs, bearings) or by "
+      "[rotor.modal].",
       "refused",
       [](Scene& scene) -> void* { return &scene.rotor; },
       {key<&Rotor::speed>("speed", kSpin, "", kStandard, "spin speed at t = 0, positive about +z"),
-       shaft<&RotorGeometry::length>("length", kLength, "> 0", kRequired,
-                                     "shaft length, from station 0"),
+       shaft<&RotorGeometry::length>("length", kLength, "> 0", kRequired, "shaft length"),
        shaft<&RotorGeometry::E>("E", kPressure, "> 0", kRequired, "Young's modulus"),
        shaft<&RotorGeometry::nu>("nu", kPure, "in (-1, 0.5]",
                                  "0.3; torsion and shear need it or `G`",
-                                 "Poisson's ratio, unless `G` is given"),
+                                 "Poisson's ratio, or give `G`"),
        shaft<&RotorGeometry::G>("G", kPressure, "> 0", "`E` / (2 (1 + `nu`))", "shear modulus"),
        shaft<&RotorGeometry::rho>("rho", kDensity, "> 0", kRequired, "density"), theory(),
-       shaft<&RotorGeometry::shear_coefficient>(
-           "shear_coefficient", kPure, "> 0", "by Cowper (1966), from Poisson's ratio and the bore",
-           "shear area divided by area, beside `theory` = `timoshenko`"),
+       shaft<&RotorGeometry::shear_coefficient>("shear_coefficient", kPure, "> 0",
+                                                "by Cowper (1966)",
+                                                "shear area / area, for `timoshenko`"),
        shaft<&RotorGeometry::axial_force>("axial_force", kForce, "", kStandard,
-                                          "axial force in the whole shaft, tension positive"),
+                                          "axial force, tension positive"),
        modes(),
        shaft<&RotorGeometry::modes_tolerance>(
            "modes_tolerance", kPure, "in (0, 1)", kStandard,
-           "for `auto`: largest relative error of effective mass at the contact and static "
-           "flexibility at contact, bearings and forces"),
+           "for `auto`: relative error of effective mass at the contact and static flexibility at "
+           "contact, bearings and forces"),
        shaft<&RotorGeometry::max_frequency>("max_frequency", kSpin, "> 0", "by `modes`",
                                             "highest bending frequency kept, at rest"),
        shaft<&RotorGeometry::damping_ratio>("damping_ratio", kPure, ">= 0", kStandard,
-                                            "external damping of each bending mode"),
+                                            "external damping of each mode"),
        shaft<&RotorGeometry::internal_damping_ratio>(
            "internal_damping_ratio", kPure, ">= 0", kStandard,
-           "internal (rotating) damping of each bending mode, at the bearings' mean stiffness (k_x "
-           "+ k_y)/2")}};
+           "internal (rotating) damping of each mode, at the bearings' mean stiffness (k_x + "
+           "k_y)/2")}};
 }
 
 Table section() {
@@ -92,7 +90,7 @@ Table section() {
        key<&ShaftSection::diameter>("diameter", kLength, "> 0", kRequired, "outer diameter"),
        key<&ShaftSection::inner_diameter>("inner_diameter", kLength, ">= 0", kStandard, "bore"),
        key<&ShaftSection::end_diameter>("end_diameter", kLength, "> 0", "`diameter`",
-                                        "outer diameter at `to` (cone)"),
+                                        "outer diameter at `to`"),
        key<&ShaftSection::end_inner_diameter>("end_inner_diameter", kLength, ">= 0",
                                               "`inner_diameter`", "bore at `to`")}}
       .as_list()
@@ -117,9 +115,9 @@ Table modal() {
        key<&RotorModal::internal_damping>("internal_damping", kDamping, ">= 0", "0",
                                           "internal (rotating) damping"),
        key<&RotorModal::gyroscopic>("gyroscopic", kMass, "", "0",
-                                    "g: force -Omega g vy on x, +Omega g vx on y"),
+                                    "g: forces -Omega g vy on x, Omega g vx on y"),
        key<&RotorModal::inertia>("inertia", kInertia, ">= 0", kStandard,
-                                 "moment of inertia of the spin; required with [drive]")}}
+                                 "inertia of the spin; required with [drive]")}}
       .in(Form::kModal);
 }
 

@@ -20,8 +20,8 @@ Table rule_table() {
                            {"native", "native-event", "native-verlet", "mujoco", "mujoco-rigid",
                             "mujoco-coulomb", "mujoco-cone", "mujoco-cone-coulomb"},
                            kStandard, "runs that are checked; `native`, `mujoco`: all such runs"),
-       key<&Rule::min>("min", kPure, "", "no limit", "smallest passing value in SI units"),
-       key<&Rule::max>("max", kPure, "", "no limit", "largest passing value in SI units"),
+       key<&Rule::min>("min", kPure, "", "no limit", "limit of a passing value, in SI units"),
+       key<&Rule::max>("max", kPure, "", "no limit", "limit of a passing value, in SI units"),
        word<&Rule::expect>(
            "expect", {"pass", "refused"}, kStandard,
            "the run completes; or it is refused, or ends with a status that says why"),

@@ -43,14 +43,14 @@ Table initial() {
       {key<&Scene::initial, &Initial::steady>(
            "steady", kPure, "", kStandard,
            "start on the steady free orbit; not beside `x` to `vy`, `stator`, `stator_velocity`"),
-       word<&Scene::initial, &Initial::rub>(
-           "rub", {"none", "synchronous", "whip", "rolling"}, kStandard,
-           "start on this lasting rub of `rotorub modes`: in step with the load, backward and "
-           "slipping, or backward and rolling; not beside `steady` or the keys it excludes"),
-       key<&Scene::initial, &Initial::x>("x", kLength, "", "0", "modal displacements in x"),
-       key<&Scene::initial, &Initial::y>("y", kLength, "", "0", "modal displacements in y"),
-       key<&Scene::initial, &Initial::vx>("vx", kVelocity, "", "0", "modal velocities in x"),
-       key<&Scene::initial, &Initial::vy>("vy", kVelocity, "", "0", "modal velocities in y"),
+       word<&Scene::initial, &Initial::rub>("rub", {"none", "synchronous", "whip", "rolling"},
+                                            kStandard,
+                                            "start on this lasting rub of `rotorub modes`; not "
+                                            "beside `steady` or the keys it excludes"),
+       key<&Scene::initial, &Initial::x>("x", kLength, "", "0", "modal displacements"),
+       key<&Scene::initial, &Initial::y>("y", kLength, "", "0", "modal displacements"),
+       key<&Scene::initial, &Initial::vx>("vx", kVelocity, "", "0", "modal velocities"),
+       key<&Scene::initial, &Initial::vy>("vy", kVelocity, "", "0", "modal velocities"),
        key<&Scene::initial, &Initial::spin_angle>("spin_angle", kAngle, "", kStandard,
                                                   "angle of the rotor's x axis"),
        key<&Scene::initial, &Initial::torsion>("torsion", kAngle, "", "0", "torsion mode angles"),
@@ -75,28 +75,25 @@ Table mujoco() {
        word<&Mujoco::contact>("contact", contact_words<std::vector<std::string_view>>(), kStandard,
                               "`rigid`: impulses by the plugin; `coulomb`: MuJoCo's soft normal "
                               "contact with Coulomb friction; `cone`: MuJoCo's friction cone; "
-                              "`cone-coulomb`: the cone, corrected for Coulomb's law in sliding"),
+                              "`cone-coulomb`: the cone, corrected for sliding"),
        word<&Mujoco::integrator>("integrator", {"euler", "implicit", "rk4"}, kStandard,
                                  "MuJoCo's integrator"),
        word<&Mujoco::solver>("solver", {"newton", "cg", "pgs"}, kStandard,
                              "MuJoCo's constraint solver"),
-       key<&Mujoco::solref_stiffness>(
-           "solref_stiffness", kRateSquared, "> 0",
-           "by the step; for the cones also by the scene's speeds",
-           "K of the soft contact (direct solref). The default of `coulomb` grows with 1/step^2, "
-           "so impact impulses stay a few per cent off at every step; with a fixed K they "
-           "converge"),
+       key<&Mujoco::solref_stiffness>("solref_stiffness", kRateSquared, "> 0",
+                                      "by the step; for the cones also by the scene's speeds",
+                                      "K of the soft contact (direct solref); with a fixed K "
+                                      "impacts under `coulomb` converge"),
        key<&Mujoco::solref_damping>("solref_damping", kRate, "> 0", "by contact.restitution",
                                     "B of the soft contact (direct solref)"),
        key<&Mujoco::friction_reference>(
            "friction_reference", kRate, "> 0", "as for the normal row",
-           "B_t of the friction rows of `cone` (solreffriction, MuJoCo 2.3.6 and later)"),
-       key<&Mujoco::shadow>(
-           "shadow", kPure, "", kStandard,
-           "run the native model alongside, with sensors and a ghost (plugin/README.md)"),
-       key<&Mujoco::bearing_currents>("bearing_currents", kPure, "", kStandard,
-                                      "two actuators per magnetic bearing with an amplifier; their "
-                                      "ctrl (A) adds to the control current")}};
+           "B_t of the friction rows of `cone` (solreffriction, MuJoCo 2.3.6 on)"),
+       key<&Mujoco::shadow>("shadow", kPure, "", kStandard,
+                            "run the native model alongside, with sensors and a ghost"),
+       key<&Mujoco::bearing_currents>(
+           "bearing_currents", kPure, "", kStandard,
+           "two actuators per magnetic bearing with an amplifier, whose ctrl (A) is added")}};
 }
 
 void check_initial_lists(const Reading& check) {

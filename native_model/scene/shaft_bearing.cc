@@ -84,9 +84,9 @@ Table shaft_bearing_table() {
   return Table{
       "rotor.bearing",
       "Linear bearings between shaft and base: springs and dampers, or an oil film with F_x = "
-      "-k_xx x - k_xy y - c_xx x' - c_xy y' and F_y alike. Other `table_` lists have one value per "
-      "`table_speed`, interpolated by a monotone cubic (Fritsch-Carlson), constant beyond the "
-      "ends.",
+      "-k_xx x - k_xy y - c_xx x' - c_xy y' and F_y alike. The coefficients `table_kxx` ... have "
+      "one value per `table_speed`, interpolated by a monotone cubic (Fritsch-Carlson), constant "
+      "beyond the ends.",
       "none",
       [](Scene& scene) -> void* { return &geometry_of(scene).bearings.emplace_back(); },
       {key<&ShaftBearing::z>("z", kLength, ">= 0", kRequired, "axial position")
@@ -102,14 +102,14 @@ Table shaft_bearing_table() {
        key<&ShaftBearing::table_speed>("table_speed", kSpin, "", "constant coefficients",
                                        "ascending speeds, two or more"),
        key<&ShaftBearing::table_kxx>("table_kxx", kStiffness, "", "needed with `table_speed`",
-                                     "k_xx"),
-       key<&ShaftBearing::table_kxy>("table_kxy", kStiffness, "", "0", "k_xy"),
-       key<&ShaftBearing::table_kyx>("table_kyx", kStiffness, "", "0", "k_yx"),
-       key<&ShaftBearing::table_kyy>("table_kyy", kStiffness, "", "`table_kxx`", "k_yy"),
-       key<&ShaftBearing::table_cxx>("table_cxx", kDamping, "", "0", "c_xx"),
-       key<&ShaftBearing::table_cxy>("table_cxy", kDamping, "", "0", "c_xy"),
-       key<&ShaftBearing::table_cyx>("table_cyx", kDamping, "", "0", "c_yx"),
-       key<&ShaftBearing::table_cyy>("table_cyy", kDamping, "", "`table_cxx`", "c_yy")}}
+                                     "coefficients"),
+       key<&ShaftBearing::table_kxy>("table_kxy", kStiffness, "", "0", "coefficients"),
+       key<&ShaftBearing::table_kyx>("table_kyx", kStiffness, "", "0", "coefficients"),
+       key<&ShaftBearing::table_kyy>("table_kyy", kStiffness, "", "`table_kxx`", "coefficients"),
+       key<&ShaftBearing::table_cxx>("table_cxx", kDamping, "", "0", "coefficients"),
+       key<&ShaftBearing::table_cxy>("table_cxy", kDamping, "", "0", "coefficients"),
+       key<&ShaftBearing::table_cyx>("table_cyx", kDamping, "", "0", "coefficients"),
+       key<&ShaftBearing::table_cyy>("table_cyy", kDamping, "", "`table_cxx`", "coefficients")}}
       .as_list()
       .in(Form::kGeometry);
 }
@@ -117,8 +117,7 @@ Table shaft_bearing_table() {
 Table pedestal_table() {
   return Table{
       "rotor.bearing.pedestal",
-      "A body between this bearing and the base. The bearing acts between shaft and pedestal; the "
-      "pedestal's own weight is left out.",
+      "A body between this bearing and the base, without weight.",
       "the base carries the bearing",
       [](Scene& scene) -> void* { return &geometry_of(scene).bearings.back().pedestal.emplace(); },
       {key<&Pedestal::mass>("mass", kMass, "> 0", kRequired, "mass"),
@@ -131,19 +130,17 @@ Table pedestal_table() {
 Table journal_table() {
   return Table{
       "rotor.bearing.journal",
-      "A plain journal bearing by its dimensions: its coefficients over the speed follow from "
-      "Reynolds' equation about the position of rest under `load`.",
+      "A plain journal bearing by its dimensions; Reynolds' equation gives its coefficients about "
+      "the position of rest under `load`.",
       "springs and dampers, or tables",
       [](Scene& scene) -> void* { return &geometry_of(scene).bearings.back().journal.emplace(); },
       {key<&JournalBearing::diameter>("diameter", kLength, "> 0", kRequired, "of the journal"),
        key<&JournalBearing::length>("length", kLength, "> 0", kRequired, "axial length"),
        key<&JournalBearing::clearance>("clearance", kLength, "> 0", kRequired, "radial clearance"),
        key<&JournalBearing::viscosity>("viscosity", kViscosity, "> 0", kRequired,
-                                       "of the oil at working temperature"),
-       key<&JournalBearing::load>("load", kForce, "> 0", kRequired,
-                                  "static force of the journal on the film"),
-       key<&JournalBearing::load_angle>("load_angle", kAngle, "", "-90 deg",
-                                        "direction of the load, from x towards y"),
+                                       "oil at working temperature"),
+       key<&JournalBearing::load>("load", kForce, "> 0", kRequired, "static force on the film"),
+       key<&JournalBearing::load_angle>("load_angle", kAngle, "", "-90 deg", "from x towards y"),
        word<&JournalBearing::theory>("theory", {"finite", "short"}, kStandard,
                                      "`finite`: whole equation, Reynolds' end of the film; "
                                      "`short`: Ocvirk's solution for length / diameter < 0.5")}}

@@ -106,11 +106,6 @@ class Documents(unittest.TestCase):
                             for heading in re.findall(r"^#+ (.*)$", text, re.M)]
                 self.assertIn(anchor, headings, f"{document.relative_to(SOURCE)} -> {target}")
 
-    def test_the_example_stands_in_its_readme_word_for_word(self):
-        readme = (SOURCE / "native_model/examples/README.md").read_text()
-        for file in ("CMakeLists.txt", "main.cc"):
-            self.assertTrue((SOURCE / "native_model/examples/find_package" / file).read_text() in readme, file)
-
     def test_a_stranger_reads_the_readme_to_its_end(self):
         """Short, in the order of a stranger's questions, with one picture of a size that a clone can carry."""
         text = (SOURCE / "README.md").read_text()

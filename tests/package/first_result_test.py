@@ -41,8 +41,16 @@ class FirstResult(InAFolder):
         self.assertAlmostEqual(after["hard_impacts"], bounces, delta=10)  # it bounces on: other round-off, other impacts
         self.assertAlmostEqual(100.0 * before["lasting_fraction"], lasting, delta=0.5)
         self.assertAlmostEqual(100.0 * after["lasting_fraction"], bouncing, delta=1.0)  # likewise
+        self.assertLess(self.hard_impacts(path, "10us"), hits)
+        self.assertEqual(self.hard_impacts(path, "2us"), hits)
         self.assertGreater((self.folder / "rub.mp4").stat().st_size, 10_000)
         self.assertIn("</html>", (self.folder / "report/report.html").read_text())
+
+    def hard_impacts(self, path, step):
+        """By the rigid law in MuJoCo."""
+        done = subprocess.run(["rotorub", "run", "rig.toml", "--engine", "mujoco", "--contact", "rigid", "--step", step, "--json"],
+                              cwd=self.folder, env=path, text=True, capture_output=True, check=True)
+        return json.loads(done.stdout)["hard_impacts"]
 
 
 if __name__ == "__main__":

@@ -29,19 +29,25 @@ Trajectory short_run(const scene::Scene& scene) {
   return native_engine(scene::Integrator::kVerlet)->run(scene, {});
 }
 
-std::string row_of(std::string_view name, std::string_view unit, std::string_view meaning,
-                   std::string_view present) {
-  std::string text(meaning);
+// Unit and meaning of a row, after its name.
+std::string cells_of(const ColumnMeaning& column) {
+  std::string text(column.meaning);
   for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
     text.insert(at, 1, '\\');
-  return fmt::format("| `{}` | {} | {}{} |\n", name, unit, text,
-                     present.empty() ? "" : fmt::format(" ({})", present));
+  return fmt::format(" | {} | {}{} |\n", column.unit, text,
+                     column.present.empty() ? "" : fmt::format(" ({})", column.present));
 }
 
+// Neighbours that differ only in their names share a row.
 std::string columns_table(std::span<const ColumnMeaning> columns) {
-  std::string text = "| name | unit | meaning |\n| --- | --- | --- |\n";
-  for (const ColumnMeaning& c : columns) text += row_of(c.name, c.unit, c.meaning, c.present);
-  return text;
+  std::string text = "| name | unit | meaning |\n| --- | --- | --- |\n", before;
+  for (const ColumnMeaning& c : columns) {
+    const std::string cells = cells_of(c);
+    text += cells == before ? ", `" : before + "| `";
+    text += fmt::format("{}`", c.name);
+    before = cells;
+  }
+  return text + before;
 }
 
 // The metrics of compare.json that the summary lacks, or has with another meaning.

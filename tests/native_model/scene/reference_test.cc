@@ -18,8 +18,8 @@ constexpr const char* kReferenceBegin = "<!-- reference: begin (from the schema)
 constexpr const char* kReferenceEnd = "<!-- reference: end -->\n";
 
 std::string form_text(Form form) {
-  if (form == Form::kGeometry) return "geometry form";
-  return form == Form::kModal ? "modal form" : "";
+  if (form == Form::kGeometry) return "geometry";
+  return form == Form::kModal ? "modal" : "";
 }
 
 // "N/m, one or [x, y], >= 0"; "list, >= 0" without a unit
@@ -62,10 +62,21 @@ std::string meaning_text(const Key& key) {
   return limits.empty() ? text : text + " (" + limits + ")";
 }
 
-std::string row(const Key& key) {
-  const std::string also = key.also.empty() ? "" : ", `" + std::string(key.also) + "`";
-  return "| `" + std::string(key.name) + "`" + also + " | " + value_text(key) + " | " +
-         (key.required() ? "required" : key.fallback) + " | " + meaning_text(key) + " |\n";
+std::string cells(const Key& key) {
+  return " | " + value_text(key) + " | " + (key.required() ? "required" : key.fallback) + " | " +
+         meaning_text(key) + " |\n";
+}
+
+// Neighbours that differ only in their names share a row.
+std::string rows(const std::vector<Key>& keys) {
+  std::string text;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const bool shared = i > 0 && cells(keys[i - 1]) == cells(keys[i]);
+    if (i > 0 && !shared) text += cells(keys[i - 1]);
+    text += (shared ? ", `" : "| `") + std::string(keys[i].name) + "`";
+    if (!keys[i].also.empty()) text += ", `" + std::string(keys[i].also) + "`";
+  }
+  return text + cells(keys.back());
 }
 
 // Markdown: a section for every table with its keys, units, ranges, defaults and meanings. Stands
@@ -80,8 +91,7 @@ std::string reference_markdown() {
     text += " Absent: " + std::string(table.when_absent) + ".\n\n";
     if (table.keys.empty()) continue;
     text += "| key | value | default | meaning |\n| --- | --- | --- | --- |\n";
-    for (const Key& key : table.keys) text += row(key);
-    text += "\n";
+    text += rows(table.keys) + "\n";
   }
   return text;
 }
