@@ -165,7 +165,7 @@ scene::Scene turning(const std::string& name, const std::string& drag,
   return test::shipped(name, further);
 }
 
-// What the run ends in is the rub, to `share` of each figure.
+// The run ends in the rub, to `share` of each figure.
 void expect_ends_in(const Trajectory& t, const SteadyRub& rub, double share) {
   const auto near = [&](const char* column, double value, double whole) {
     EXPECT_NEAR(t.column(column).back(), value, share * std::abs(whole)) << column;
