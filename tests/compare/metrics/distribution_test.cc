@@ -29,7 +29,7 @@ TEST(Exceedance, OfManyKeepsTheLaw) {
     EXPECT_DOUBLE_EQ(curve.value[k], 1.0 / std::sqrt(static_cast<double>(curve.count[k])));
 }
 
-// Of a ramp every part has the same time; half of the time there is nothing.
+// Every part of a ramp has the same time; the other half of the time there is no value.
 TEST(Histogram, OfARampIsFlat) {
   const Histogram h = histogram({0.0, 1.0, 2.0}, {0.0, 0.0, 8.0}, 4);
   EXPECT_DOUBLE_EQ(h.width, 2.0);

@@ -85,7 +85,7 @@ TEST(MeasuredGrowth, TheRigsRubDecaysAtLittleFriction) { expect_measured({held_r
 // Friction feeds the second bending mode: the rig of the paper cannot rub steadily.
 TEST(MeasuredGrowth, TheRigsRubGrowsAtItsOwnFriction) { expect_measured({held_rig(0.3)}, false); }
 
-// Of one mode on a fixed ring the rub's angle eps alone can move, and what friction loses with the
+// With one mode on a fixed ring only the rub's angle eps can move, and friction that falls with the
 // slip drives it:
 //   m eps'' + (d + 2 tau nu m + lambda dmu/dv) eps' + k eps = 0,
 //   k = k_r - m nu^2 + tau d nu + lambda (1 + tau^2) / delta_0
