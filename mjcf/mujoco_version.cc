@@ -20,7 +20,7 @@ MujocoVersion read_mujoco_version(std::string_view text) {
   }
   if (!read || at != end || parts < 2 || version < MujocoVersion{2, 2, 0}) {
     throw std::invalid_argument("MuJoCo version \"" + std::string(text) +
-                                "\"; accepted: 2.2 or later, as 3.12 or 3.12.0");
+                                "\" is not a version from 2.2 on; write it as 3.12 or 3.12.0");
   }
   return version;
 }

@@ -41,7 +41,8 @@ void refuse_impossible_discs(const scene::Scene& scene) {
     if (discs[i].Jp <= 2.0 * discs[i].Jt) continue;
     throw scene::SceneError(scene::placed(
         scene, {{"", 0, fmt::format("rotor.disc[{}].Jp", i),
-                 fmt::format("the segment rotor is of rigid bodies; accepted: at most 2 Jt = {}",
+                 fmt::format("the segment rotor consists of rigid bodies, whose Jp is at most 2 Jt "
+                             "= {}; lower it, or set mujoco.rotor = \"modal\"",
                              2.0 * discs[i].Jt)}}));
   }
 }

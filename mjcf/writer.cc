@@ -30,7 +30,7 @@ void refuse_unsupported(const scene::Scene& scene) {
   const scene::Mujoco& mujoco = scene.mujoco;
   if (mujoco.rotor == scene::MujocoRotor::kSegments && !scene.rotor.geometry) {
     scene::refuse_at(scene, "mujoco.rotor",
-                     "\"segments\" needs the rotor's geometry; accepted: \"modal\"");
+                     "\"segments\" needs the rotor's geometry; set \"modal\"");
   }
   refuse_several_in_mujoco(scene);
   refuse_compliance_in_mujoco(scene);
@@ -39,11 +39,12 @@ void refuse_unsupported(const scene::Scene& scene) {
     if (!scene::is_cone(mujoco.contact) || !contact || contact->friction.is_constant()) continue;
     scene::refuse_at(scene,
                      k > 0 ? scene::list_element("contact", k) + ".friction" : "contact.friction",
-                     "MuJoCo's cone has one coefficient for all slips; accepted: a number, or "
-                     "contact model rigid or coulomb");
+                     "MuJoCo's cone has one coefficient for all slips; give a number, or set "
+                     "mujoco.contact = \"rigid\" or \"coulomb\"");
   }
   if (mujoco.integrator == scene::MujocoIntegrator::kRk4) {
-    scene::refuse_at(scene, "mujoco.integrator", "accepted: \"euler\", \"implicit\"");
+    scene::refuse_at(scene, "mujoco.integrator",
+                     "the plugin does not support \"rk4\"; set \"euler\" or \"implicit\"");
   }
 }
 

@@ -101,8 +101,7 @@ bool can_be_read(const mjModel* m) {
   try {
     if (!callbacks_active()) {
       refuse(message("<extension><plugin plugin=\"{}\">", kInstancePlugin),
-             "the plugin's callbacks are not installed; accepted: a plugin::Hooks that lives as "
-             "long as the data");
+             "the plugin's callbacks are not installed; keep a plugin::Hooks as long as the data");
     }
     make_config(m);
     return true;
@@ -145,9 +144,10 @@ void register_contact_plugin() {}
 
 void install_callbacks() {
   if (mj_version() != mjVERSION_HEADER) {
-    const std::string text = "rotorub: built for MuJoCo " + version_text(mjVERSION_HEADER) +
-                             ", the program has " + version_text(mj_version()) +
-                             ": their structures differ; accepted: the same version";
+    const std::string text =
+        "rotorub: built for MuJoCo " + version_text(mjVERSION_HEADER) + ", the program has " +
+        version_text(mj_version()) +
+        ", whose structures differ; use a plugin that is built for this version";
     raise_error(text.c_str());
     return;
   }

@@ -46,7 +46,7 @@ void column(const mjModel* m, const mjData* d, double eps, int which, Nudge nudg
 }  // namespace
 
 Transition transition(const mjModel* m, const mjData* d, double eps) {
-  if (!(eps > 0.0)) throw std::invalid_argument("rotorub: transition: eps: accepted: > 0");
+  if (!(eps > 0.0)) throw std::invalid_argument("rotorub: transition: eps must be above 0");
   const Differentiating scope;
   const std::unique_ptr<mjData, void (*)(mjData*)> low(mj_makeData(m), mj_deleteData),
       high(mj_makeData(m), mj_deleteData);

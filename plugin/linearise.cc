@@ -46,7 +46,7 @@ MatrixXd projection_within(const MatrixXd& a, double radius) {
 
 [[noreturn]] void refuse_linear(const char* reason) {
   throw std::runtime_error(std::string("rotorub: linearise: ") + reason +
-                           "; accepted: a smaller <option timestep>");
+                           "; lower <option timestep>");
 }
 
 void refuse_fast(const MatrixXd& a) {

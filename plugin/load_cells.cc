@@ -172,20 +172,18 @@ void map_load_cells(const mjModel* m, Config& config) {
           "MuJoCo does not see the force of contact model {} in it",
           pair.contact_model == scene::ContactModel::kRigid ? "rigid" : "coulomb (its friction)");
       if (asks_for_force(m, i, pair)) {
-        refuse(element,
-               reason +
-                   "; accepted: the user sensors normal_force and friction_force, or other geoms");
+        refuse(
+            element,
+            reason + "; use the user sensors normal_force and friction_force, or name other geoms");
       }
       if (!feels(m, i, pair)) continue;
       config.cells = true;
-      if (has_history(m, i))
-        refuse(element, reason + " where it has a history; accepted: nsample=\"0\"");
+      if (has_history(m, i)) refuse(element, reason + " if it has a history; set nsample=\"0\"");
       if (later) continue;
-      refuse(element,
-             reason +
-                 ", and calls the plugin after it only for a user sensor of the acceleration "
-                 "stage; accepted: <user name=\"normal_force\" dim=\"1\" needstage=\"acc\"/> in "
-                 "<sensor>, or the plugin preloaded");
+      refuse(element, reason +
+                          ", and calls the plugin after it only for a user sensor of the "
+                          "acceleration stage; add <user name=\"normal_force\" dim=\"1\" "
+                          "needstage=\"acc\"/> to <sensor>, or preload the plugin");
     }
   }
 }

@@ -72,7 +72,7 @@ JointAddress find_joint(const mjModel* m, const std::string& name) {
   const int joint = required(m, mjOBJ_JOINT, "joint", name);
   const int type = m->jnt_type[joint];
   if (type != mjJNT_SLIDE && type != mjJNT_HINGE) {
-    refuse(joint_element(m, joint), "accepted types: slide, hinge");
+    refuse(joint_element(m, joint), "must be a slide or a hinge");
   }
   return {m->jnt_qposadr[joint], m->jnt_dofadr[joint]};
 }
@@ -106,10 +106,10 @@ void map_joints(const mjModel* m, Config& config) {
 ContactPair map_contact(const mjModel* m, const Config& config, std::size_t k, int data) {
   const std::string rotor = names::of_bearing(k, names::kRotorContact);
   const std::string ring = names::of_bearing(k, names::kRingContact);
-  const auto geom = [m](const std::string& name, int type, const char* accepted) {
+  const auto geom = [m](const std::string& name, int type, const char* shape) {
     const int id = required(m, mjOBJ_GEOM, "geom", name);
     if (m->geom_type[id] != type) {
-      refuse(message("<geom name=\"{}\">", name), message("accepted type: {}", accepted));
+      refuse(message("<geom name=\"{}\">", name), message("must be a {}", shape));
     }
     return id;
   };
@@ -132,7 +132,7 @@ ContactPair map_contact(const mjModel* m, const Config& config, std::size_t k, i
   p.bearing = k;
   if (p.further && m->body_mocapid[m->geom_bodyid[p.rotor_geom]] < 0) {
     refuse(body_element(m, m->geom_bodyid[p.rotor_geom]),
-           message("carries geom \"{}\"; accepted: mocap=\"true\"", rotor));
+           message("carries geom \"{}\", so it needs mocap=\"true\"", rotor));
   }
   p.prescribed_spin = config.segments || config.model.layout.spin ? 0.0 : config.model.speed;
   return p;
@@ -154,7 +154,7 @@ void check_magnet(const mjModel* m, bool lags, int actuator) {
   const bool current = m->actuator_dyntype[actuator] == (lags ? mjDYN_USER : mjDYN_NONE);
   if (force && current) return;
   refuse(message("<general name=\"{}\">", m->names + m->name_actuatoradr[actuator]),
-         message("a magnet; accepted: gaintype=\"user\" biastype=\"user\" dyntype=\"{}\"",
+         message("is a magnet, so it needs gaintype=\"user\" biastype=\"user\" dyntype=\"{}\"",
                  lags ? "user" : "none"));
 }
 
@@ -252,15 +252,15 @@ Config generated_config(const mjModel* m) {
     config.contact = contact_model(m, names::kContactText, scene.mujoco.contact);
     if (!config.segments && scene.auxiliary.size() > 1 && scene::is_cone(config.contact)) {
       refuse(text_element(names::kContactText),
-             "MuJoCo's cone supports only one contact of the modal chain; accepted with several: "
-             "rigid, coulomb, or a scene with mujoco.rotor = \"segments\"");
+             "MuJoCo's cone supports only one contact of the modal chain; for several choose rigid "
+             "or coulomb, or a scene with mujoco.rotor = \"segments\"");
     }
     map_contacts(m, config, further);
     for (const scene::AuxiliaryBearing& at : scene.auxiliary) {
       if (!scene::is_cone(config.contact) || at.contact->friction.is_constant()) continue;
       refuse(text_element(names::kContactText),
-             "MuJoCo's cone has one coefficient for all slips, and the scene's friction depends on "
-             "the slip; accepted: rigid, coulomb");
+             "MuJoCo's cone has one coefficient for all slips, but the scene's friction depends on "
+             "the slip; choose rigid or coulomb");
     }
     Refusals refusals;
     for (const ContactPair& pair : config.pairs) check_solved_part(m, pair, refusals);

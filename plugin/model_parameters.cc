@@ -108,9 +108,9 @@ bool rotor_is_massless(const Config& config, const mjModel* m) {
 
 void check_joint_numbers(const mjModel* m, int joint, double mass, double stiffness,
                          double damping) {
-  const auto check = [&](const char* what, double value, bool fits, const char* accepted) {
+  const auto check = [&](const char* what, double value, bool fits, const char* due) {
     if (fits) return;
-    refuse(joint_element(m, joint), message("{}=\"{}\"; accepted: {}", what, value, accepted));
+    refuse(joint_element(m, joint), message("{}=\"{}\" must be {}", what, value, due));
   };
   check("armature", mass, mass > 0.0 && std::isfinite(mass), "> 0, the mass of the mode");
   check("stiffness", stiffness, stiffness >= 0.0 && std::isfinite(stiffness), ">= 0");
@@ -121,9 +121,9 @@ void check_masses(const mjModel* m, const Config& config) {
   for (const int body : config.rotor_bodies) {
     if (m->body_mass[body] <= kMassless && m->body_subtreemass[body] <= kMassless) continue;
     refuse(body_element(m, body),
-           message("carries {} kg, generated with 1e-12: it would couple the modes, whose "
-                   "masses are their joints' armature; accepted: masses in the scene "
-                   "([[rotor.disc]]), and the MJCF written anew",
+           message("carries {} kg, generated with 1e-12: it would couple the modes, whose masses "
+                   "are their joints' armature; put masses in the scene ([[rotor.disc]]), and "
+                   "write the MJCF anew",
                    std::max(m->body_mass[body], m->body_subtreemass[body])));
   }
 }
@@ -136,9 +136,8 @@ void check_ring_mass(const mjModel* m, const Config& config, const AuxiliaryBear
   if (m->body_mass[body] <= kMassless || (centre[0] == 0.0 && centre[1] == 0.0)) return;
   refuse(
       body_element(m, body),
-      message(
-          "its centre of mass is at {} {}, off the axis about which it turns; accepted: x and y 0",
-          centre[0], centre[1]));
+      message("its centre of mass is at {} {}, off the axis about which it turns; set x and y to 0",
+              centre[0], centre[1]));
 }
 
 void take_joints(const mjModel* m, Model& model, const Config& config) {
@@ -158,12 +157,12 @@ void take_contact(const mjModel* m, Model& model, const Config& config, std::siz
   const Circle circle = circle_of(config.pairs[k], m);
   if (!(circle.radius > 0.0) || !(circle.clearance > 0.0)) {
     refuse("<geom name=\"" + names::of_bearing(k, names::kRing) + "\">",
-           message("size[0] = {} about a rotor of {} m; accepted: greater",
+           message("size[0] = {} is not greater than the rotor's radius, {} m",
                    circle.radius + circle.clearance, circle.radius));
   }
   const double friction = friction_of(config.pairs[k], m);
   if (!(friction >= 0.0) || !std::isfinite(friction)) {
-    refuse("<contact><pair>", message("friction[0] = {}; accepted: >= 0", friction));
+    refuse("<contact><pair>", message("friction[0] = {} must be >= 0", friction));
   }
   AuxiliaryBearing& at = model.auxiliary[k];
   at.contact->radius = circle.radius;
@@ -171,9 +170,10 @@ void take_contact(const mjModel* m, Model& model, const Config& config, std::siz
   FrictionLaw& law = at.contact->friction;
   if (friction != law.sticking()) {
     if (!law.is_constant()) {
-      refuse("<contact><pair>",
-             message("friction[0] = {}; accepted: {}, as the scene's friction depends on the slip",
-                     friction, law.sticking()));
+      refuse(
+          "<contact><pair>",
+          message("friction[0] = {} must be {}, because the scene's friction depends on the slip",
+                  friction, law.sticking()));
     }
     law.coefficient = friction;
   }
@@ -189,8 +189,8 @@ void take_limit(const mjModel* m, AuxiliaryBearing& ring, const Config& config) 
       (first[0] != -first[1] || first[0] != second[0] || first[1] != second[1] ||
        m->actuator_ctrllimited[a] != m->actuator_ctrllimited[b] || !(limit > 0.0))) {
     refuse(message("<actuator name=\"{}\">", names::kActuator[0]),
-           message("ctrlrange {} {}, that of \"{}\" {} {}; accepted with the scene's "
-                   "controller: -c c, c > 0, the same for both",
+           message("ctrlrange is {} {}, and \"{}\" has {} {}; the scene's controller needs -c c "
+                   "with c > 0, the same for both",
                    first[0], first[1], names::kActuator[1], second[0], second[1]));
   }
   (ring.magnets ? ring.magnets->current_limit : ring.force_limit) = limit;

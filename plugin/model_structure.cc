@@ -27,12 +27,12 @@ void check_pose(const mjModel* m, int body, const Eigen::Vector2d& offset) {
   const mjtNum* q = m->body_quat + 4 * body;
   if (p[0] != offset.x() || p[1] != offset.y()) {
     refuse(body_element(m, body),
-           message("pos=\"{} {} {}\"; accepted: x {} and y {}, as the scene has it", p[0], p[1],
-                   p[2], offset.x(), offset.y()));
+           message("pos=\"{} {} {}\" must have x {} and y {}, as in the scene", p[0], p[1], p[2],
+                   offset.x(), offset.y()));
   }
   if (std::abs(q[0]) < 1.0 - kRoundOff) {
     refuse(body_element(m, body),
-           message("quat=\"{} {} {} {}\"; accepted: no rotation", q[0], q[1], q[2], q[3]));
+           message("quat=\"{} {} {} {}\" is a rotation; remove it", q[0], q[1], q[2], q[3]));
   }
 }
 
@@ -44,15 +44,14 @@ void check_poses(const mjModel* m, int body, Eigen::Vector2d offset) {
   }
 }
 
-void check_joint(const mjModel* m, int joint, int along, const char* accepted) {
+void check_joint(const mjModel* m, int joint, int along, const char* due) {
   const std::string element = joint_element(m, joint);
   const mjtNum* axis = m->jnt_axis + 3 * joint;
   if (std::abs(axis[along] - 1.0) > kRoundOff) {
-    refuse(element,
-           message("axis=\"{} {} {}\"; accepted: \"{}\"", axis[0], axis[1], axis[2], accepted));
+    refuse(element, message("axis=\"{} {} {}\" must be \"{}\"", axis[0], axis[1], axis[2], due));
   }
   const double reference = m->qpos0[m->jnt_qposadr[joint]];
-  if (reference != 0.0) refuse(element, message("ref=\"{}\"; accepted: 0", reference));
+  if (reference != 0.0) refuse(element, message("ref=\"{}\" must be 0", reference));
 }
 
 // A mode moves the contact by 1 if its joint is above the rotor's body, else by 0.
@@ -112,15 +111,15 @@ void check_actuator(const mjModel* m, int k, int actuator) {
   const std::string element = message("<actuator name=\"{}\">", names::kActuator[k]);
   const mjtNum gear = m->actuator_gear[6 * force_address(m, actuator)];
   if (gear != 1.0) {
-    refuse(element, message("gear=\"{}\"; accepted: 1", gear));
+    refuse(element, message("gear=\"{}\" must be 1", gear));
   }
   if (m->actuator_forcelimited[actuator]) {
-    refuse(element, "forcelimited; accepted: a ctrlrange, or force_limit in the scene");
+    refuse(element, "has a forcerange; use a ctrlrange, or force_limit in the scene");
   }
   const int tendon = mj_name2id(m, mjOBJ_TENDON, names::kAxis[k]);
   if (m->actuator_trntype[actuator] != mjTRN_TENDON || tendon < 0 ||
       m->actuator_trnid[2 * actuator] != tendon) {
-    refuse(element, message("accepted: tendon=\"{}\"", names::kAxis[k]));
+    refuse(element, message("needs tendon=\"{}\"", names::kAxis[k]));
   }
   const double share = std::sqrt(0.5);
   const double due[2] = {k == 0 ? share : -share, share};
@@ -132,8 +131,8 @@ void check_actuator(const mjModel* m, int k, int actuator) {
     const double given = m->wrap_prm[first + w];
     if (plane >= 0 && std::abs(given - due[plane]) <= kRoundOff) continue;
     refuse(message("<fixed name=\"{}\">", names::kAxis[k]),
-           message("joint \"{}\" coef=\"{}\"; accepted: ring_x {}, ring_y {}", name, given, due[0],
-                   due[1]));
+           message("joint \"{}\" has coef=\"{}\", but ring_x must have {} and ring_y {}", name,
+                   given, due[0], due[1]));
   }
 }
 

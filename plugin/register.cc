@@ -80,7 +80,7 @@ __attribute__((constructor)) void install() {
     const std::string built = plugin::version_text(mjVERSION_HEADER);
     std::fprintf(stderr,
                  "rotorub: this plugin is built for MuJoCo %s, but the program has another "
-                 "version; accepted: a plugin that is built for the program's\n",
+                 "version; use a plugin that is built for the program's version\n",
                  built.c_str());
     std::_Exit(1);
   }

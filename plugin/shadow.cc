@@ -190,10 +190,9 @@ namespace names = mjcf_names;
 void map_shadow(const mjModel* m, ShadowConfig& s) {
   const std::string refusal = step_refusal(s.model, m->opt.timestep);
   if (!refusal.empty()) {
-    refuse(text_element(names::kSceneText),
-           message("mujoco.shadow: the native model cannot run alongside: {}; accepted: a smaller "
-                   "run.step, or false",
-                   refusal));
+    refuse(text_element(names::kSceneText), message("mujoco.shadow: the native model cannot run "
+                                                    "alongside: {}; lower run.step, or set false",
+                                                    refusal));
   }
   s.gap = sensor_address(m, names::kShadowGap, 1);
   s.normal_force = sensor_address(m, names::kShadowNormalForce, 1);

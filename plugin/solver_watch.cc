@@ -33,13 +33,12 @@ void watch_solver(const Config& config, const mjModel* m, mjData* d) {
   const double left = unconverged(m, d);
   if (!(left > kMatters)) return;
   entry = bits(entry) | kSolverWasTold;
-  warn(
-      message("rotorub: MuJoCo's solver stopped at iterations=\"{}\" at t = {} s, in a step with a "
-              "contact of the plugin; its last iteration still improved by {} (tolerance {}), so "
-              "the contact force of that step is inexact; accepted: more iterations, or "
-              "solver=\"Newton\"",
-              m->opt.iterations, d->time, left, m->opt.tolerance)
-          .c_str());
+  warn(message(
+           "rotorub: MuJoCo's solver stopped at iterations=\"{}\" at t = {} s, in a step with a "
+           "contact of the plugin; its last iteration still improved by {} (tolerance {}), so the "
+           "contact force of that step is inexact; allow more iterations, or use solver=\"Newton\"",
+           m->opt.iterations, d->time, left, m->opt.tolerance)
+           .c_str());
 }
 
 void note_solved_contacts(const Config& config, const mjModel* m, mjData* d) {

@@ -82,7 +82,7 @@ std::string empty_value(const CLI::App& command) {
   return {};
 }
 
-// What is wrong with the first argument that the command does not know.
+// Describes the first argument that the command does not know.
 std::string unknown_argument(const CLI::App& command, const std::vector<std::string>& unknown) {
   const auto option = std::find_if(unknown.begin(), unknown.end(),
                                    [](const std::string& word) { return word.starts_with('-'); });
@@ -123,7 +123,7 @@ std::string parser_message(const CLI::App& command, const CLI::ParseError& error
     message = fmt::format("the argument {} is missing", name);
   }
   const bool is_command = command.get_parent() != nullptr;
-  return fmt::format("{}{} `rotorub help{}{}` lists what is accepted", message,
+  return fmt::format("{}{} `rotorub help{}{}` shows the usage", message,
                      message.ends_with('?') ? "" : ".", is_command ? " " : "",
                      is_command ? command.get_name() : "");
 }

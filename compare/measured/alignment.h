@@ -57,7 +57,7 @@ struct Alignment {
   // also next to nothing, with the difference taken as sqrt(1 - correlation^2), and likewise with
   // the likeness.
   bool ambiguous() const;
-  // If much remains: a shift at which the two are more alike except for their size.
+  // A shift at which the two are more alike except for their size; only if much remains.
   std::optional<LagScore> other_size;
   std::optional<Mirrored> mirrored;  // if it leaves less than half
   // rad/s: the turn of the frame per shift that compensates a shift. Set if the motion is so nearly

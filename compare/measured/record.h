@@ -33,7 +33,7 @@ struct Measurable {
   std::string_view unit() const { return quantity.unit; }
 };
 
-// All of them; each x precedes its y.
+// All measurable quantities; each x precedes its y.
 std::span<const Measurable> measurables();
 inline constexpr int kChannelGroups = 5;
 inline constexpr std::string_view kContactForce =

@@ -95,7 +95,7 @@ void read_constraint(const StudyTable& table, Goal& goal) {
   if (figure && limit) goal.constraints.push_back({*figure, *limit, is_max});
 }
 
-Goal read_goal(const TomlNode& node, Diagnostics& diagnostics) {
+Goal read_goal(TomlNode& node, Diagnostics& diagnostics) {
   const StudyTable table(
       node, "optimise",
       {"minimise", "maximise", "algorithm", "evaluations", "tolerance", "constraint"}, diagnostics);
@@ -113,7 +113,7 @@ Goal read_goal(const TomlNode& node, Diagnostics& diagnostics) {
   goal.tolerance = table.number("tolerance", scene::kPure).value_or(goal.tolerance);
   if (!(goal.tolerance > 0.0 && goal.tolerance < 1.0))
     table.fail("tolerance", "expected a share of the keys' ranges, above 0 and below 1");
-  const TomlNode* list = table.find("constraint");
+  TomlNode* list = node.find("constraint");
   if (list == nullptr) return goal;
   if (list->kind != TomlNode::Kind::kArray) {
     table.fail("constraint", "expected tables [[optimise.constraint]]");
@@ -171,8 +171,8 @@ std::optional<double> figure_value(const FigurePath& path, const json& all, bool
 Task read_task(const std::filesystem::path& file) {
   Task task{sweep::read_study(file, sweep::StudyUse::kOptimise), {}};
   Diagnostics diagnostics;
-  const auto root = scene::parse_toml(task.study.text, file.string(), diagnostics);
-  const TomlNode* node = root ? root->find("optimise") : nullptr;
+  auto root = scene::parse_toml(task.study.text, file.string(), diagnostics);
+  TomlNode* node = root ? root->find("optimise") : nullptr;
   if (node == nullptr || node->kind != TomlNode::Kind::kTable) {
     diagnostics.push_back({file.string(), node ? node->line : 0, "optimise",
                            "missing: expected a table [optimise] with `minimise` or `maximise`"});

@@ -29,8 +29,8 @@ const char* to_string(Ending ending);
 
 struct Optimum {
   std::vector<Evaluation> evaluations;  // in order, each point once
-  // Index of the best evaluation that violates no constraint by more than kFeasible; empty if there
-  // is none.
+  // Index of the best evaluation that violates no constraint by more than kFeasible; empty if each
+  // evaluation violates one.
   std::optional<std::size_t> best;
   Ending ending = Ending::kConverged;
   static constexpr double kFeasible = 1e-6;

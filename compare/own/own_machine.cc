@@ -160,12 +160,10 @@ void check_keyframes(const mjModel* m) {
     const char* name = mj_id2name(m, mjOBJ_KEY, i);
     found += fmt::format("{}\"{}\"", i == 0 ? "" : ", ", name ? name : "");
   }
-  plugin::refuse(
-      "<keyframe>",
-      fmt::format("has only {}, but a run starts from the key \"{}\" or \"{}\"; accepted: a "
-                  "key with one of these names, or no keyframe at all (the run then "
-                  "starts at qpos0)",
-                  found, names::kStartKey, names::kTestKey));
+  plugin::refuse("<keyframe>",
+                 fmt::format("has only {}, but a run starts from the key \"{}\" or \"{}\"; give a "
+                             "key one of these names, or remove all keyframes to start at qpos0",
+                             found, names::kStartKey, names::kTestKey));
 }
 
 void check_contact_texts(const mjModel* m) {
@@ -204,11 +202,11 @@ void check_equalities(const mjModel* m, const plugin::Config& config) {
           const char* name = mj_id2name(m, mjOBJ_EQUALITY, start->efc_id[i]);
           plugin::refuse(
               fmt::format("<equality> \"{}\"", name ? name : ""),
-              fmt::format("acts on {}, which moves geom \"{}\": the native twin has no "
-                          "constraints, so it would be a different machine; accepted in a "
-                          "comparison: a motor or a stiffness on the joint itself in place of the "
-                          "equality, or a body without that joint in place of a weld",
-                          plugin::joint_of_dof(m, dof), m->names + m->name_geomadr[geom]));
+              fmt::format(
+                  "acts on {}, which moves geom \"{}\": the native twin has no constraints, so it "
+                  "would be a different machine; replace the equality by a motor or a stiffness on "
+                  "the joint itself, or replace a weld by removing that joint",
+                  plugin::joint_of_dof(m, dof), m->names + m->name_geomadr[geom]));
         }
       }
     }
@@ -248,7 +246,7 @@ class OwnEngine final : public Engine {
 
   Trajectory run(const scene::Scene& given, const RunRequest& request) const override {
     if (request.perturbation_ulps != 0) {
-      throw std::invalid_argument("a machine of its own starts where its file says");
+      throw std::invalid_argument("a machine of your own starts only where its file says");
     }
     scene::Scene scene = given;
     scene.run.step = request.step.value_or(given.run.step);
@@ -275,7 +273,7 @@ OwnMachine::OwnMachine(const std::filesystem::path& file, const OwnRun& run) : f
   }
   if (!plugin::is_ours(m.get())) {
     throw std::runtime_error(
-        "names no rub; accepted: geoms of rotor and ring in <custom>, as in "
+        "names no rub; name the geoms of rotor and ring in <custom>, as in "
         "mjcf/examples/own_model.xml (plugin/README.md)");
   }
   plugin::Refusals refusals;

@@ -28,8 +28,8 @@ struct OwnRun {
 
 // The solref of an own model's pairs in a run.
 enum class OwnSolref {
-  // With the file's own contact model the file's solref, otherwise one that suits step and
-  // restitution.
+  // The file's solref if the run has the file's own contact model, otherwise one that suits step
+  // and restitution.
   kChosen,
   kDefault  // MuJoCo's default
 };

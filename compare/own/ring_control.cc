@@ -65,16 +65,16 @@ void check_actuator(const mjModel* m, int actuator) {
                      !m->actuator_forcelimited[actuator];
   if (!plain) {
     refuse_actuator(m, actuator,
-                    "has a state, a gain that varies or a forcerange; accepted with a controller: "
-                    "a <motor>, limited by its ctrlrange");
+                    "has a state, a gain that varies or a forcerange, which a controller does not "
+                    "support; use a <motor> that is limited by its ctrlrange");
   }
   const int control = plugin::control_address(m, actuator);
   const mjtNum* range = m->actuator_ctrlrange + 2 * control;
   if (m->actuator_ctrllimited[control] && range[0] != -range[1]) {
     refuse_actuator(
         m, actuator,
-        fmt::format("ctrlrange=\"{} {}\"; accepted with a controller: a symmetric range", range[0],
-                    range[1]));
+        fmt::format("ctrlrange=\"{} {}\" is not symmetric; a controller needs a range from -c to c",
+                    range[0], range[1]));
   }
 }
 
@@ -97,13 +97,13 @@ RingActuators ring_actuators(const mjModel* m, const plugin::Config& config) {
       if (std::abs(gain) * row.norm() <= kNone * push.norm() || push.isZero(0.0)) continue;
       if ((push - gain * row).norm() > kNone * push.norm()) {
         refuse_actuator(m, actuator,
-                        "pushes more than the ring along x or y of its geom; accepted with a "
-                        "controller: a <motor> on each of the ring's two slides");
+                        "pushes more than the ring along x or y of its geom; for a controller, put "
+                        "a <motor> on each of the ring's two slides");
       }
       if (at[axis] >= 0) {
         refuse_actuator(m, actuator,
-                        fmt::format("pushes the ring along {} as \"{}\" does; accepted with a "
-                                    "controller: one along x, one along y",
+                        fmt::format("pushes the ring along {} as \"{}\" does; for a controller, "
+                                    "give one along x and one along y",
                                     kAxes[axis], m->names + m->name_actuatoradr[at[axis]]));
       }
       check_actuator(m, actuator);
@@ -119,10 +119,10 @@ RingActuators ring_actuators(const mjModel* m, const plugin::Config& config) {
   }
   for (int axis = 0; axis < 2; ++axis) {
     if (at[axis] >= 0) continue;
-    throw std::runtime_error(fmt::format(
-        "no actuator pushes the ring along {} of its geom; accepted with a controller: a <motor> "
-        "on each of the ring's two slides",
-        kAxes[axis]));
+    throw std::runtime_error(
+        fmt::format("no actuator pushes the ring along {} of its geom; for a controller, put a "
+                    "<motor> on each of the ring's two slides",
+                    kAxes[axis]));
   }
   return found;
 }

@@ -66,7 +66,7 @@ std::string difference_text(const JudgedFigure& figure);
 // "whirl 22 times as fast and the other way round".
 std::string plain_difference(const JudgedFigure& figure);
 
-// What a contact model may be used for.
+// Uses for which a contact model may be trusted.
 enum class Trust {
   kYes,           // no judged figure is outside, and at least one is within
   kAveragesOnly,  // the averages are not outside, but figures of single moments are

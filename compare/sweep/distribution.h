@@ -30,8 +30,8 @@ double quantile(const Distribution& distribution, double share);
 // Reports the parameters of distributions in a [[vary]] without `distribution`.
 void refuse_parameters(const StudyTable& table);
 
-// Reads `distribution` and its parameters from a [[vary]], in the unit of the key. Empty if there
-// is none, or if it is wrong and was reported.
+// Reads `distribution` and its parameters from a [[vary]], in the unit of the key. Empty if it
+// is absent, or if it is wrong and was reported.
 std::optional<Distribution> read_distribution(const StudyTable& table,
                                               const scene::Quantity& quantity);
 

@@ -32,7 +32,7 @@ std::vector<std::string> words_of(const StudyTable& table, const char* key,
   std::vector<std::string> words;
   if (list == nullptr) return words;
   if (list->kind != Kind::kArray || list->items.empty()) {
-    table.fail(key, "expected a list; accepted: " + scene::join(known));
+    table.fail(key, "expected a list of these words: " + scene::join(known));
     return words;
   }
   for (const TomlNode& item : list->items) {
@@ -44,7 +44,7 @@ std::vector<std::string> words_of(const StudyTable& table, const char* key,
                           ? "unknown word `" + scene::printable(item.text) + "`" +
                                 scene::suggestion(item.text, known)
                           : "expected words in quotes, got " + std::string(kind_name(item.kind)) +
-                                "; accepted: " + scene::join(known));
+                                "; choose from " + scene::join(known));
     }
   }
   return words;
@@ -151,11 +151,11 @@ class StudyReader {
   }
 
   void read_all_vary() {
-    const TomlNode* list = root_.find("vary");
+    TomlNode* list = root_.find("vary");
     if (list == nullptr || list->kind != Kind::kArray || list->items.empty())
       return fail(list ? list->line : 0, "vary",
                   "missing: expected at least one table [[vary]] with a key");
-    for (const TomlNode& node : list->items) {
+    for (TomlNode& node : list->items) {
       const std::string path = scene::list_element("vary", &node - list->items.data());
       if (node.kind != Kind::kTable) {
         fail(node.line, path, "expected a table [[vary]]");

@@ -13,21 +13,6 @@ namespace {
 using scene::TomlNode;
 using Kind = TomlNode::Kind;
 
-// Removes the element indices: "force[0].amplitude" and "force.0.amplitude" become
-// "force.amplitude".
-std::string without_elements(std::string_view path) {
-  std::string text;
-  while (!path.empty()) {
-    const std::string_view part = path.substr(0, path.find('.'));
-    path.remove_prefix(std::min(part.size() + 1, path.size()));
-    const std::string_view name = part.substr(0, part.find('['));
-    const bool number =
-        std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
-    if (!number) text += (text.empty() ? "" : ".") + std::string(name);
-  }
-  return text;
-}
-
 }  // namespace
 
 void say_old_word(const std::string& where, const std::string& word) {
@@ -35,23 +20,24 @@ void say_old_word(const std::string& where, const std::string& word) {
     fmt::print(stderr, "note: {}\n", scene::old_word_note(where, word));
 }
 
-StudyTable::StudyTable(const TomlNode& node, std::string path,
+StudyTable::StudyTable(TomlNode& node, std::string path,
                        std::initializer_list<std::string_view> keys,
                        std::vector<scene::Diagnostic>& diagnostics)
     : node_(&node), file_(node.file), path_(std::move(path)), diagnostics_(&diagnostics) {
   const std::vector<std::string_view> known(keys);
-  for (const auto& [name, value] : node.entries) {
+  for (auto& [name, value] : node.entries) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     fail(name, "unknown key" + scene::suggestion(name, known));
-    if (const std::string_view meant = scene::nearest(name, known); !meant.empty())
-      misspelt_.emplace_back(meant);
+    // The value is read as it was meant, so that the mistake has no further consequences.
+    const std::string_view meant = scene::nearest(name, known);
+    if (!meant.empty() && find(meant) == nullptr) name = meant;
   }
 }
 
 StudyTable StudyTable::table(const std::string& name,
                              std::initializer_list<std::string_view> keys) const {
-  static const TomlNode none;
-  const TomlNode* node = find(name);
+  static TomlNode none;
+  TomlNode* node = node_->find(name);
   const bool is_table = node != nullptr && node->kind == Kind::kTable;
   if (node != nullptr && !is_table)
     fail(name, fmt::format("expected one table [{}], got {}", name, kind_name(node->kind)));
@@ -70,8 +56,6 @@ void StudyTable::fail(std::string_view key, std::string reason) const {
 }
 
 void StudyTable::missing(std::string_view key, const std::string& expected) const {
-  // A misspelling of it has been reported.
-  if (std::find(misspelt_.begin(), misspelt_.end(), key) != misspelt_.end()) return;
   fail(key, "missing: expected " + expected);
 }
 
@@ -143,15 +127,8 @@ std::optional<double> StudyTable::number(const TomlNode& value, const std::strin
 }
 
 const scene::Key* scene_key(std::string_view path, std::string& reason) {
-  const std::string plain = without_elements(path);
-  const std::size_t dot = plain.rfind('.');
-  const scene::Table* table =
-      dot == std::string::npos ? nullptr : scene::find_table(plain.substr(0, dot));
-  if (table != nullptr) {
-    if (const scene::Key* key = table->find(plain.substr(dot + 1))) return key;
-    static const scene::Key any_number{};
-    if (table->any_key) return &any_number;
-  }
+  const std::string plain = scene::without_elements(path);
+  if (const scene::Key* key = scene::find_key(path)) return key;
   if (scene::find_table(plain) != nullptr) return nullptr;
   std::vector<std::string> all;
   for (const scene::Table& t : scene::tables()) {

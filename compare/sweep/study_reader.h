@@ -19,10 +19,10 @@ void say_old_word(const std::string& where, const std::string& word);
 class StudyTable {
  public:
   // path: for error messages, "vary[1]". keys: all keys that the table may have.
-  StudyTable(const scene::TomlNode& node, std::string path,
-             std::initializer_list<std::string_view> keys,
+  StudyTable(scene::TomlNode& node, std::string path, std::initializer_list<std::string_view> keys,
              std::vector<scene::Diagnostic>& diagnostics);
-  // The table [name] of this one; empty if it is absent, or if it is none and was reported.
+  // The table [name] of this one; empty if it is absent, or if it is not a table, which is
+  // reported.
   StudyTable table(const std::string& name, std::initializer_list<std::string_view> keys) const;
 
   const scene::TomlNode* find(std::string_view key) const { return node_->find(key); }
@@ -48,15 +48,14 @@ class StudyTable {
   std::optional<std::size_t> place_of(std::string_view key,
                                       const std::vector<std::string_view>& words) const;
 
-  const scene::TomlNode* node_;
+  scene::TomlNode* node_;
   scene::FileName file_;
   std::string path_;
   std::vector<scene::Diagnostic>* diagnostics_;
-  std::vector<std::string> misspelt_;  // the keys that unknown ones are taken for
 };
 
 // The key of a scene at a path such as "force[0].amplitude". nullptr for a whole table or for a
-// path that is not part of a scene (`reason` then lists what is accepted). In [controller.config],
+// path that is not part of a scene (`reason` then says what to give). In [controller.config],
 // which accepts any name, it is a number without a unit and without a name.
 const scene::Key* scene_key(std::string_view path, std::string& reason);
 

@@ -201,8 +201,8 @@ PointsFile read_points(const std::filesystem::path& file) {
   return points;
 }
 
-Vary read_vary(const TomlNode& node, const std::string& path, SampleKind kind,
-               const PointsFile& points, std::vector<scene::Diagnostic>& diagnostics) {
+Vary read_vary(TomlNode& node, const std::string& path, SampleKind kind, const PointsFile& points,
+               std::vector<scene::Diagnostic>& diagnostics) {
   const StudyTable table(
       node, path,
       {"key", "also", "values", "from", "to", "count", "spacing", "column", "distribution", "mean",

@@ -24,7 +24,7 @@ PointsFile read_points(const std::filesystem::path& file);
 
 // path: for error messages, "vary[1]". points: the points of a list in a file, otherwise empty.
 // Errors are added to the diagnostics.
-Vary read_vary(const scene::TomlNode& node, const std::string& path, SampleKind kind,
+Vary read_vary(scene::TomlNode& node, const std::string& path, SampleKind kind,
                const PointsFile& points, std::vector<scene::Diagnostic>& diagnostics);
 
 }  // namespace rotorub::sweep

@@ -16,8 +16,8 @@ struct JudgedSetting {
   std::vector<JudgedFigure> figures;  // the judged ones; empty without a run
   Trust trust = Trust::kNo;
   std::string failure;  // why the run did not end well; empty if it did
-  // What fails at half of its step. A setting that passes at one step and fails at a finer one
-  // passed by luck. Empty if nothing fails or if it was not tested.
+  // The check that fails at half of the step. A setting that passes at one step and fails at a
+  // finer one passed by luck. Empty if nothing fails or if it was not tested.
   std::string luck;
   double us_per_step = 0.0;  // 0: unknown
 

@@ -10,6 +10,7 @@
 #include "compare/base/format.h"
 #include "compare/engine/engine.h"
 #include "native_model/scene/reader.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub::tune {
 namespace {
@@ -17,6 +18,7 @@ namespace {
 using scene::ContactModel;
 using scene::MujocoIntegrator;
 using scene::MujocoSolver;
+using scene::trimmed;
 
 // 1/s^2. The values that MuJoCo's contact gets from steps of 200 us and 20 us.
 constexpr double kStiffnesses[] = {1e6, 1e8};
@@ -32,12 +34,6 @@ std::string override_of(const KeyValue& v) {
 }
 
 bool is_soft(const Setting& setting) { return setting.contact != ContactModel::kRigid; }
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 // Start of a comment outside of strings; npos: none.
 std::size_t comment_of(std::string_view line) {

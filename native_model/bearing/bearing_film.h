@@ -48,8 +48,8 @@ class CoefficientTable {
 bool isotropic(const BearingCoefficients& coefficients);
 
 struct BearingFilm {
-  // Without a table: the coefficients. With a table: the coefficients of the model's own springs
-  // and dampers, which are subtracted.
+  // Without a table these are the coefficients. With a table they are the coefficients of the
+  // model's own springs and dampers, which are subtracted.
   BearingCoefficients constant{};
   std::shared_ptr<const CoefficientTable> table;  // null: constant coefficients
   double offset_x = 0.0, offset_y = 0.0;          // m, o
@@ -67,7 +67,7 @@ struct BearingFilm {
 BearingCoefficients largest(const BearingFilm& film);
 
 // The forces beyond the model's springs and dampers, which have the bearing's `stiffness` and
-// `damping` and are centred at its offset. Nothing if there are none.
+// `damping` and are centred at its offset. Empty if the bearing has no further forces.
 std::optional<BearingFilm> film_of(const scene::ShaftBearing& bearing);
 
 }  // namespace rotorub

@@ -23,9 +23,9 @@ class Drive {
  public:
   // start: rad/s, the rotor's speed at t = 0; used by speed_controlled.
   explicit Drive(const scene::Drive& drive, double start = 0.0);
-  // For kinds that depend on the speed only. speed: rad/s at the motor.
+  // Torque in N m of a kind that depends only on the speed (rad/s at the motor).
   double torque(double speed) const;
-  // For all kinds. angle: rad, rotation of the motor since t = 0.
+  // Torque in N m of any kind at t (s). angle: rad, rotation of the motor since t = 0.
   double torque(double t, double angle, double speed) const;
   // d torque / d speed, N m s; for speed_controlled within the torque limit.
   double slope(double speed) const;

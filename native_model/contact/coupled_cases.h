@@ -24,7 +24,7 @@ bool distinct(const Case& c, const ContactSet& set);
 
 class CoupledProblem {
  public:
-  // All must outlive this object.
+  // The arguments must outlive this object.
   CoupledProblem(const ContactMatrix& a, const ContactVector& b, std::span<const ContactSet> sets);
 
   const ContactSet& set(int i) const { return sets_[static_cast<std::size_t>(i)]; }

@@ -55,7 +55,7 @@ struct FrictionLaw {
   double constant(const std::string& who) const {
     if (is_constant()) return coefficient;
     throw std::invalid_argument("contact.friction: " + who +
-                                " has one coefficient for all slips; accepted: a number");
+                                " has one coefficient for all slips; give a number");
   }
 
  private:

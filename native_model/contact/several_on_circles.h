@@ -9,7 +9,7 @@
 
 namespace rotorub {
 
-// As solve_lasting_contacts(), for two contacts or more.
+// Does the same as solve_lasting_contacts() for two or more contacts.
 Status solve_several_on_circles(double h, std::span<LastingContact> contacts,
                                 const ContactAdmittance& admittance);
 

@@ -18,8 +18,7 @@ LibraryController::LibraryController(const scene::Scene& scene, std::size_t bear
   if (law_.functions().command > ROTORUB_CURRENT)
     law_.refuse("commands neither ROTORUB_FORCE nor ROTORUB_CURRENT");
   if (commands_currents() && plant.current_limit <= 0.0) {
-    law_.refuse(
-        "commands currents; accepted with [actuator] kind = \"electromagnet\" or \"table\"");
+    law_.refuse("commands currents; set [actuator] kind = \"electromagnet\" or \"table\"");
   }
   const scene::Controller& c = *scene.auxiliary[bearing].controller;
   rotorub_setup setup{};

@@ -34,10 +34,10 @@ class LibraryLaw {
     const auto get = reinterpret_cast<const Functions* (*)()>(symbol_of(library_.get(), symbol));
     if (get == nullptr) refuse(std::string("no function ") + symbol + " (rotorub/controller.h)");
     functions_ = get();
-    if (functions_ == nullptr) refuse("gives no controller");
+    if (functions_ == nullptr) refuse("returns no controller");
     if (functions_->abi != abi) {
       refuse("is of controller ABI " + std::to_string(functions_->abi) +
-             "; accepted: " + std::to_string(abi));
+             ", but this program needs ABI " + std::to_string(abi));
     }
     if (functions_->create == nullptr || functions_->step == nullptr)
       refuse("has no create() or no step()");
@@ -67,7 +67,7 @@ class LibraryLaw {
     created_ = true;
     if (functions_->state_size != nullptr) state_size_ = functions_->state_size(self_);
     if (state_size_ > most_state) {
-      refuse("a state of " + std::to_string(state_size_) + " numbers; accepted: up to " +
+      refuse("a state of " + std::to_string(state_size_) + " numbers is too large; the limit is " +
              std::to_string(most_state));
     }
   }

@@ -101,7 +101,7 @@ void refuse_delay(const scene::Scene& scene, std::size_t bearing, const Plant& p
   scene::refuse_at(scene, bearing, "controller.sample_time",
                    "half of it, delay and coil_lag make the command " + number_text(lead) +
                        " s late, and with these gains it would chatter beyond " +
-                       number_text(most) + " s; accepted: " +
+                       number_text(most) + " s; set " +
                        (sample > 0.0 ? "at most " + number_text(sample) + " s, or " + less : less));
 }
 

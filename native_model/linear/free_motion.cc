@@ -98,13 +98,13 @@ void add_force(const scene::Scene& scene, const Model& m, const AppliedForce& f,
   if (f.on > 0.0 || f.off <= 0.0) return;
   if (f.kind == ForceKind::kPulse && f.on < 0.0) {
     refuse_steady(scene,
-                  "a [[force]] of kind pulse is acting at t = 0, so no orbit is steady; accepted: "
-                  "a pulse that begins at 0 or later");
+                  "a [[force]] of kind pulse is acting at t = 0, so no orbit is steady; let the "
+                  "pulse begin at 0 or later");
   }
   if (f.ramp > 0.0 && f.on < 0.0 && f.on + f.ramp > 0.0) {
     refuse_steady(scene,
-                  "a [[force]] is still rising at t = 0, so no orbit is steady; accepted: a force "
-                  "that begins to rise at 0 or later, or has risen by then");
+                  "a [[force]] is still rising at t = 0, so no orbit is steady; let it begin to "
+                  "rise at 0 or later, or end its rise by then");
   }
   if (f.kind == ForceKind::kPulse || f.envelope(0.0) == 0.0) return;
   if (f.kind == ForceKind::kConstant) return loads.add(0.0, f.shape, f.vector.x(), f.vector.y());
@@ -141,7 +141,7 @@ void check_stability(const scene::Scene& scene, const Model& m) {
   refuse_steady(scene, "the free rotor is unstable at " + scene::number_text(m.speed) +
                            " rad/s, a motion at " + scene::number_text(std::abs(first.imag())) +
                            " rad/s grows with " + scene::number_text(first.real()) +
-                           " 1/s; accepted: a stable one, or false");
+                           " 1/s; stabilise the rotor, or set false");
 }
 
 // Adds to z, force over deflection, the effect of filters and lags on the control laws.
@@ -263,7 +263,7 @@ Eigen::VectorXcd sampled_amplitude(const scene::Scene& scene, const Model& m, co
   const auto poles = loop_poles(loop);
   if (!poles) refuse_steady(scene, "the eigenvalues of the free rotor do not converge");
   if (poles->empty() || poles->front().real() >= 0.0)
-    refuse_steady(scene, "the free rotor is unstable" + at + "; accepted: a stable one");
+    refuse_steady(scene, "the free rotor is unstable" + at + "; stabilise the rotor");
   if (load.load.isZero(0.0)) return load.load;
   Eigen::VectorXcd q = loop_amplitude(m, loop, load.frequency, load.load);
   if (!q.allFinite()) refuse_steady(scene, "the rotor has a resonance without damping" + at);
@@ -292,7 +292,7 @@ FreeMotion free_motion(const scene::Scene& scene, const Model& m) {
   const Layout& l = m.layout;
   if (const StationFeedback* feedback = sampled(m)) {
     refuse_steady(scene, "the control of " + scene::magnetic_bearing_path(scene, feedback->number) +
-                             " is sampled, so no orbit is steady; accepted: false");
+                             " is sampled, so no orbit is steady; set false");
   }
   const Bending b = bending(m);
   check_stability(scene, m);

@@ -61,7 +61,7 @@ Eigen::Vector2d ring_on_magnets(const scene::Scene& scene, const AuxiliaryBearin
   };
   const char* pulled =
       "the bias of the actuator's magnets pulls the ring off centre harder than [stator] holds it; "
-      "accepted: a stiffer stator.stiffness, or false";
+      "raise stator.stiffness, or set false";
   constexpr double kStep = 1e-8;  // m, of the difference quotients
   Eigen::Vector2d place{0.0, 0.0};
   for (int round = 0; round < 60; ++round) {
@@ -142,7 +142,7 @@ RingRest ring_at_rest(const scene::Scene& scene, const Model& m, const Auxiliary
     if (mounted && (at.housing != kAbsent || support->law.balls)) {
       refuse_steady(scene,
                     "no rest position is computed for magnets that hold a ring with a stator.mount "
-                    "or stator.ball_bearing; accepted: neither, or false");
+                    "or stator.ball_bearing; remove these, or set false");
     }
     rest.ring = ring_on_magnets(scene, at, stiffness, weight);
     return rest;
@@ -170,7 +170,7 @@ FreeResponse free_response(const scene::Scene& scene, Model m, double speed) {
   }
   const auto none = [](const scene::SceneError& error) -> FreeOrbit {
     const std::string& why = error.diagnostics().front().reason;
-    return {std::nullopt, why.substr(0, why.find("; accepted"))};
+    return {std::nullopt, why.substr(0, why.find("; "))};
   };
   FreeResponse response;
   std::vector<Eigen::Vector2d> middles;

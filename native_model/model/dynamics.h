@@ -28,9 +28,9 @@ double motor_torque(const Model& model, double t, const double* q, const double*
 Eigen::Vector2d bearing_current(const Model& model, const StationFeedback& bearing, double t,
                                 const double* q, const double* v);
 
-// f(t, q, v), nq values: all loads except those of the contact and the actuator.
+// f(t, q, v), nq values in N or N m: all loads except the forces of contacts and actuators.
 void unactuated_force(const Model& model, double t, const double* q, const double* v, double* f);
-// As above, for callers that know the directions of the eccentric discs.
+// Does the same for callers that know the directions of the eccentric discs.
 void unactuated_force(const Model& model, double t, const equations::DiscAngles& angles,
                       const double* q, const double* v, double* f);
 
@@ -43,7 +43,7 @@ void load_force(const Model& model, double t, const double* q, const double* v, 
 
 // a = M(phi)^-1 f, nq values; f and a may be the same array.
 void solve_mass(const Model& model, double t, const double* q, const double* f, double* a);
-// As above, with another diagonal instead of the masses, e.g. M + h/2 D.
+// Does the same with another diagonal instead of the masses, such as M + h/2 D.
 void solve_mass(const Model& model, const double* diagonal, double t, const double* q,
                 const double* f, double* a);
 

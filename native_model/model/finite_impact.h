@@ -35,7 +35,7 @@ class FiniteImpact {
   bool active() const { return active_ > 0.0; }  // begun and not finished
 
   double end() const { return end_; }  // s
-  // For t in [touch, end]; nq values each.
+  // The motion at t in [touch, end], nq values each.
   void coordinates(double t, double* q) const;
   void velocities(double t, double* v) const;
   Eigen::Vector2d force(double t) const;  // N, normal and friction; 0 outside the impact

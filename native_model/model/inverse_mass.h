@@ -22,7 +22,7 @@ class InverseMass {
   // M + h/2 D.
   explicit InverseMass(const Model& model) : InverseMass(model, model.mass.data()) {}
   InverseMass(const Model& model, const double* diagonal);
-  // As above, and couples the spin at (t, q) if it is coupled.
+  // Also couples the spin at (t, q) if the model has eccentric discs on a free spin.
   InverseMass(const Model& model, const double* diagonal, double t, const double* q);
 
   // Sets the directions of the discs. Does nothing if no disc is coupled.

@@ -124,9 +124,8 @@ LinearPlant plant_of(const Model& model, std::size_t bearing, double speed) {
 std::string beyond_linear_plant(const scene::Scene& scene, std::size_t bearing, const Model& model,
                                 double every) {
   if (const auto& ring = scene.auxiliary[bearing].stator; ring && !ring->on_springs_alone()) {
-    return "the ring stands on more than its spring and damper (stator.mount, dry_friction, "
-           "squeeze_film, "
-           "ball_bearing or a spin that is dragged dry), which the linear plant does not know";
+    return "the law's linear plant has a ring on a spring and damper only, without stator.mount, "
+           "dry_friction, squeeze_film, ball_bearing and dry drag of the spin";
   }
   double other = 0.0;  // s, sample time of an earlier control
   for (const SampledFeedback& s : model.samplers) {
@@ -135,7 +134,8 @@ std::string beyond_linear_plant(const scene::Scene& scene, std::size_t bearing, 
     if (working == s.bearings.end()) continue;
     const std::string control =
         "the control of " + scene::magnetic_bearing_path(scene, model.feedbacks[*working].number);
-    if (s.library) return control + " is a library, whose law the linear plant does not know";
+    if (s.library)
+      return control + " is a library, which the linear plant of this law cannot include";
     if (every == 0.0)
       return control + " is sampled, and matrices in continuous time have no samples";
     const double samples = every / s.sample_time;

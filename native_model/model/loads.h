@@ -1,6 +1,6 @@
-// The one list of the loads of (9), used by all right-hand sides, steps and matrices. The forces of
-// contacts and actuators are separate (equations.h, model/actuation.h), and so are the diagonal
-// terms and the weight.
+// All loads of (9) in one list, which the right-hand sides, the steps and the matrices share. The
+// forces of contacts and actuators are separate (equations.h, model/actuation.h), and so are the
+// diagonal terms and the weight.
 #pragma once
 
 #include <array>

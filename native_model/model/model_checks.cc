@@ -63,10 +63,10 @@ double rows(const scene::Run& run) {
   return run.end / run.series_step() + static_cast<double>(run.output_times.size());
 }
 
-// For example "1e+11 steps to run.end = 10 s; accepted: at most 1e+10": count, what, most.
+// For example "1e+11 steps to run.end = 10 s are too many; the limit is 1e+10": count, what, most.
 std::string too_many(const scene::Run& run, double count, const std::string& what, double most) {
   return rough_text(count) + what + " to run.end = " + rough_text(run.end) +
-         " s; accepted: at most " + rough_text(most);
+         " s are too many; the limit is " + rough_text(most);
 }
 
 void find_steps(const scene::Run& run, double step, std::vector<scene::Diagnostic>& wrong) {
@@ -135,7 +135,7 @@ void find_rows(const scene::Run& run, const Model& model, const std::vector<doub
 void check_size(const scene::Scene& scene, int nq) {
   if (nq <= kMaxCoordinates) return;
   scene::refuse_at(scene, modes_key(scene.rotor),
-                   "gives " + std::to_string(nq) + " coordinates or more; accepted: at most " +
+                   "gives " + std::to_string(nq) + " coordinates or more; the limit is " +
                        std::to_string(kMaxCoordinates) +
                        ", of bending modes in both planes, torsion modes, spin and ring");
 }
@@ -143,7 +143,7 @@ void check_size(const scene::Scene& scene, int nq) {
 void check_unbalances(const scene::Scene& scene, std::size_t count) {
   if (count <= kMaxUnbalances) return;
   scene::refuse_at(scene, "rotor.disc",
-                   std::to_string(count) + " eccentric discs; accepted: at most " +
+                   std::to_string(count) + " eccentric discs are too many; the limit is " +
                        std::to_string(kMaxUnbalances));
 }
 
@@ -161,12 +161,13 @@ void check_spin_inertia(const scene::Scene& scene, const Model& model) {
   const double inertia = model.mass[model.layout.phi()], bound = unbalance_inertia(model);
   if (inertia > bound * (1.0 + kRoundOff)) return;
   const bool disc = model.unbalances.front().on < 0.0;
-  scene::refuse_at(scene, disc ? "rotor.disc" : "force",
-                   "the eccentric discs move " + scene::number_text(bound) +
-                       " kg m^2 with the spin, whose inertia is " + scene::number_text(inertia) +
-                       " kg m^2: the mass matrix is not positive definite; accepted: Jp of each "
-                       "disc at least mass eccentricity^2, and with shaft and motor more than " +
-                       scene::number_text(bound) + " kg m^2");
+  scene::refuse_at(
+      scene, disc ? "rotor.disc" : "force",
+      "the eccentric discs move " + scene::number_text(bound) +
+          " kg m^2 with the spin, whose inertia is " + scene::number_text(inertia) +
+          " kg m^2: the mass matrix is not positive definite; give each disc a Jp of at least mass "
+          "eccentricity^2, and shaft, discs and motor together more than " +
+          scene::number_text(bound) + " kg m^2");
 }
 
 void check_initial_lists(const scene::Scene& scene, const Layout& l) {
@@ -211,9 +212,10 @@ void check_initial_gap(const scene::Scene& scene, const Model& model, std::size_
                              : "contact.offset";
   scene::refuse_at(scene, k, key,
                    "the rotor starts outside the ring, " + scene::number_text(delta) +
-                       " m from its centre; accepted: at most " +
+                       " m from its centre; start it at most " +
                        (reach > clearance ? "twice " : "") +
-                       "contact.clearance = " + scene::number_text(clearance) + " m");
+                       scene::place_of(scene, "contact.clearance", k) + " = " +
+                       scene::number_text(clearance) + " m");
 }
 
 void check_initial_ring(const scene::Scene& scene, std::size_t k) {
@@ -222,10 +224,11 @@ void check_initial_ring(const scene::Scene& scene, std::size_t k) {
     return;
   const double start = to_axes(at.stator->position).cwiseAbs().maxCoeff();
   if (start < at.actuator->air_gap) return;
-  scene::refuse_at(scene, k, scene.auxiliary.size() > 1 ? "stator.position" : "initial.stator",
-                   "is " + scene::number_text(start) +
-                       " m along an axis of the actuator; accepted: less than actuator.air_gap = " +
-                       scene::number_text(at.actuator->air_gap) + " m");
+  scene::refuse_at(
+      scene, k, scene.auxiliary.size() > 1 ? "stator.position" : "initial.stator",
+      "is " + scene::number_text(start) +
+          " m along an axis of the actuator; it must be less than actuator.air_gap = " +
+          scene::number_text(at.actuator->air_gap) + " m");
 }
 
 void refuse_compliance(const scene::Scene& scene, scene::Integrator integrator) {
@@ -233,8 +236,8 @@ void refuse_compliance(const scene::Scene& scene, scene::Integrator integrator) 
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     if (!scene.auxiliary[k].contact || !scene.auxiliary[k].contact->compliance) continue;
     scene::refuse_at(scene, k, "contact.compliance",
-                     "`euler` supports only rigid contacts; accepted: no contact.compliance, or "
-                     "the integrator event or verlet");
+                     "`euler` supports only rigid contacts; remove contact.compliance, or use the "
+                     "integrator event or verlet");
   }
 }
 
@@ -242,21 +245,20 @@ void refuse_compliance_in_mujoco(const scene::Scene& scene) {
   if (!scene.is_compliant()) return;
   const scene::ContactModel model = scene.mujoco.contact;
   if (model == scene::ContactModel::kRigid || model == scene::ContactModel::kCone) {
-    scene::refuse_at(scene, "mujoco.contact",
-                     std::string("\"") + scene::to_string(model) +
-                         "\" does not support contact.compliance; accepted with it: \"coulomb\", "
-                         "\"cone-coulomb\"");
+    scene::refuse_at(
+        scene, "mujoco.contact",
+        std::string("\"") + scene::to_string(model) +
+            "\" does not support contact.compliance; set \"coulomb\" or \"cone-coulomb\"");
   }
   if (scene.mujoco.shadow) {
     scene::refuse_at(scene, "mujoco.shadow",
-                     "the shadow's contact is rigid; accepted with contact.compliance: false");
+                     "the shadow's contact is rigid; with contact.compliance set false");
   }
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     if (!scene.auxiliary[k].contact || scene.auxiliary[k].contact->compliance) continue;
     scene::refuse_at(scene, k, "contact",
                      "is rigid beside a compliant contact, which only the native engine can "
-                     "simulate; accepted in MuJoCo: contacts that are all rigid, or all with "
-                     "[contact.compliance]");
+                     "simulate; for MuJoCo give all contacts [contact.compliance], or none");
   }
 }
 
@@ -264,17 +266,17 @@ void refuse_several_in_mujoco(const scene::Scene& scene) {
   if (scene.auxiliary.size() < 2) return;
   if (scene.mujoco.rotor != scene::MujocoRotor::kSegments && scene::is_cone(scene.mujoco.contact)) {
     scene::refuse_at(scene, "mujoco.contact",
-                     "MuJoCo's cone supports only one contact of the modal chain; accepted with "
-                     "several: \"rigid\", \"coulomb\", or mujoco.rotor = \"segments\"");
+                     "MuJoCo's cone supports only one contact of the modal chain; for several set "
+                     "\"rigid\" or \"coulomb\", or mujoco.rotor = \"segments\"");
   }
   if (scene.mujoco.shadow)
     scene::refuse_at(scene, "mujoco.shadow",
-                     "the shadow has one contact; accepted with several: false");
+                     "the shadow has one contact; with several contacts set false");
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     const bool driven = scene.auxiliary[k].actuator || scene.auxiliary[k].controller;
     if (!driven) continue;
     scene::refuse_at(scene, k, scene.auxiliary[k].actuator ? "actuator" : "controller",
-                     "in MuJoCo the rings of several contacts are passive; accepted: none");
+                     "in MuJoCo the rings of several contacts are passive; remove this table");
   }
 }
 
@@ -290,10 +292,10 @@ void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted) {
     if (time <= 0.0) return;
     scene::refuse_at(scene, k, key,
                      knows ? "impacts of finite duration under a sampled controller need the "
-                             "integrator event; accepted here: 0, or no sample_time of a controller"
+                             "integrator event; set 0, or remove the controller's sample_time"
                            : "impacts of finite duration need the integrator event or verlet, or "
-                             "rigid of a modal chain in MuJoCo without a shadow and without a "
-                             "coil_lag; accepted with anything else: 0");
+                             "in MuJoCo the contact model rigid on a modal chain without a shadow "
+                             "and without a coil_lag; otherwise set 0");
   };
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     const auto& contact = scene.auxiliary[k].contact;

@@ -56,8 +56,8 @@ inline constexpr double kMostSeriesValues = 2.5e8;
 // Rejects more than kMostRunSteps steps of `fixed_step` (s) or samples of the controller.
 void check_steps(const scene::Scene& scene, double fixed_step);
 
-// As check_steps(), and the size of the series. fixed_step: s, absent for an integrator with
-// adaptive steps. times: s, of the rows, if they are not those of the scene.
+// Does the same as check_steps() and rejects a series that is too large. fixed_step: s, absent for
+// an integrator with adaptive steps. times: s, times of the rows if they differ from the scene's.
 void check_run_size(const scene::Scene& scene, const Model& model, std::optional<double> fixed_step,
                     const std::vector<double>* times = nullptr);
 

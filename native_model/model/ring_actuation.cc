@@ -64,8 +64,7 @@ void fill_control(const scene::Scene& scene, std::size_t k, Model& model) {
   if (c.kind == scene::ControllerKind::kLqr || c.kind == scene::ControllerKind::kLqg) {
     const std::string why = beyond_linear_plant(scene, k, model, c.sample_time);
     if (!why.empty()) {
-      scene::refuse_at(scene, k, "controller.kind",
-                       why + "; accepted: a controller of another kind");
+      scene::refuse_at(scene, k, "controller.kind", why + "; choose another kind of controller");
     }
     plant.linear = std::make_shared<LinearPlant>(plant_of(model, k, scene.rotor.speed));
   }

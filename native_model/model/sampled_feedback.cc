@@ -199,7 +199,7 @@ std::string sample_refusal(const Model& m, double step) {
     char text[200];
     std::snprintf(text, sizeof text,
                   "step %g s does not divide the sample time of a magnetic bearing's control, %g "
-                  "s; accepted: a whole fraction of it",
+                  "s; choose a whole fraction of it",
                   step, s.sample_time);
     return text;
   }

@@ -18,7 +18,7 @@ void add_orbit_start(const scene::Scene& scene, Model& m) {
   for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
     const std::string beyond = beyond_limit(scene, m.feedbacks[k], motion.current[k].maxCoeff());
     if (beyond.empty()) continue;
-    refuse_steady(scene, "the steady free orbit" + beyond + "; accepted: a larger limit, or false");
+    refuse_steady(scene, "the steady free orbit" + beyond + "; raise the limit, or set false");
   }
   for (std::size_t k = 0; k < m.auxiliary.size(); ++k) {
     const AuxiliaryBearing& at = m.auxiliary[k];
@@ -39,12 +39,12 @@ void add_orbit_start(const scene::Scene& scene, Model& m) {
     if (largest < clearance) continue;
     const std::string key =
         m.auxiliary.size() > 1 ? scene::list_element("contact", k) : std::string("contact");
-    refuse_steady(
-        scene, "the steady free orbit touches: it comes to " + scene::number_text(largest) +
-                   " m from the middle of the ring; accepted: less than " + key +
-                   ".clearance = " + scene::number_text(clearance) +
-                   " m, a start on the rub in its place (initial.rub = \"synchronous\"), or false "
-                   "and a start of your own");
+    refuse_steady(scene, "the steady free orbit touches: it comes to " +
+                             scene::number_text(largest) +
+                             " m from the middle of the ring, but it must stay within " + key +
+                             ".clearance = " + scene::number_text(clearance) +
+                             " m; start on the rub instead (initial.rub = \"synchronous\"), or set "
+                             "false and give your own start");
   }
 }
 

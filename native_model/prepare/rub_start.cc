@@ -33,8 +33,8 @@ void leave_out_later(const scene::Scene& scene, std::size_t number, scene::Force
   if (risen && force.off > 0.0) return;
   if (force.on < 0.0 && force.off > 0.0) {
     scene::refuse_at(scene, scene::list_element("force", number) + ".ramp",
-                     "is still rising at t = 0, so no rub lasts; accepted beside initial.rub: a "
-                     "force that begins to rise at 0 or later, or has risen by then");
+                     "is still rising at t = 0, so no rub lasts; with initial.rub let the force "
+                     "begin to rise at 0 or later, or end its rise by then");
   }
   force.kind = scene::ForceKind::kRotating;
   force.amplitude = 0.0;
@@ -51,8 +51,8 @@ scene::Scene at_start(scene::Scene scene) {
       controller.reset();
     } else if (controller->kind == scene::ControllerKind::kTwoPhase) {
       scene::refuse_at(given, k, "controller.kind",
-                       "the rub under the first phase of two_phase is unknown; accepted beside "
-                       "initial.rub: passive, cross_coupled");
+                       "the rub under the first phase of two_phase is unknown; with initial.rub "
+                       "choose passive or cross_coupled");
     }
   }
   return scene;
@@ -72,8 +72,8 @@ SteadyRub rub_of(const scene::Scene& scene, const RubSystem& system) {
   const RubKind kind = kind_of(scene.initial.rub);
   if (kind == RubKind::kForced && rotating_loads(system).size() > 1) {
     scene::refuse_at(scene, kKey,
-                     "under loads of several frequencies there is no synchronous rub; accepted: "
-                     "loads of one at t = 0, or whip, rolling");
+                     "under loads of several frequencies there is no synchronous rub; keep the "
+                     "loads of one frequency at t = 0, or choose whip or rolling");
   }
   const RubPoint point = RubStudy(system).at(system.friction);
   if (const StandingRub* found = point.leading(kind)) return found->rub;
@@ -83,8 +83,8 @@ SteadyRub rub_of(const scene::Scene& scene, const RubSystem& system) {
   }
   scene::refuse_at(scene, kKey,
                    "there is no " + name_of(kind) + " at " + scene::number_text(system.speed) +
-                       " rad/s" + begins_later(scene) + "; accepted: " +
-                       (others.empty() ? "" : "a rub that there is (" + others + "), or ") +
+                       " rad/s" + begins_later(scene) + "; choose " +
+                       (others.empty() ? "" : "one that exists here (" + others + "), or ") +
                        "none");
 }
 
@@ -112,9 +112,8 @@ void add_rub_start(const scene::Scene& scene, Model& m) {
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     const auto& ring = scene.auxiliary[k].stator;
     if (!ring || !ring->spin || ring->spin->speed == 0.0) continue;
-    scene::refuse_at(
-        scene, k, "stator.spin.speed",
-        "the rub determines the speed of the ring; accepted beside initial.rub: 0 (left out)");
+    scene::refuse_at(scene, k, "stator.spin.speed",
+                     "the rub determines the speed of the ring; with initial.rub remove this key");
   }
   const RubSystem system = rub_system(at_start(scene));
   const SteadyRub rub = rub_of(scene, system);

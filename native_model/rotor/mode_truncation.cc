@@ -151,7 +151,7 @@ std::string digits(double value) {
         "The effective mass of a station without a mass of its own falls without limit as modes "
         "are added: a sleeve ([[rotor.disc]] at contact.station) gives it a limit. ";
   }
-  reason += "Accepted: ";
+  reason += "Set ";
   if (left < 1.0) reason += "a modes_tolerance well above " + digits(left) + ", or ";
   reason += "a number of modes";
   throw scene::SceneError({{"", 0, "rotor.modes", reason}});

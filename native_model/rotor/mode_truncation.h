@@ -18,12 +18,13 @@ struct ContactMass {
   int kept_modes = 0, mesh_modes = 0;
   // 1, kept mass over mass of the shaft.
   double ratio() const { return kept / mesh; }
-  // If true, the impacts depend on the number of kept modes and are not those of the shaft.
+  // If true, the impacts depend on the number of kept modes and not only on the shaft.
   bool truncated() const { return kept > 1.1 * mesh; }
 };
 
-// Of several contacts, the mass at the contact with the largest ratio(). Empty unless the rotor is
-// in geometry form and has a contact. Solves the shaft's eigenvalue problem.
+// The effective mass at the contact, with several contacts at the one with the largest ratio().
+// Empty unless the rotor is in geometry form and has a contact. Solves the shaft's eigenvalue
+// problem.
 std::optional<ContactMass> contact_mass(const scene::Scene& scene);
 
 // Limit for [rotor] modes = "auto", which keeps the fewest bending modes that give the right

@@ -28,8 +28,8 @@ std::pair<double, double> supports(const scene::RotorGeometry& geometry, int pla
       {{"", 0, "rotor.bearing",
         std::string("leaves the shaft free to move as a rigid body in plane ") +
             (plane == 0 ? "x" : "y") +
-            "; accepted: bearings with stiffness > 0 at two stations or more, or at one beside a "
-            "[magnetic_bearing] with a control, or two of those"}});
+            "; give bearings with stiffness > 0 at two stations or more, or at one beside a "
+            "[magnetic_bearing] with a control, or two such magnetic bearings"}});
 }
 
 bool is_sheared(const scene::RotorGeometry& geometry) {
@@ -81,7 +81,7 @@ void add_axial_force(double force, RitzBending& ritz) {
     throw scene::SceneError(
         {{"", 0, "rotor.axial_force",
           "makes the shaft buckle, which happens at " + scene::number_text(-most, 6) +
-              " N; accepted: a force above that, got " + scene::number_text(force, 6) + " N"}});
+              " N; give a force above that, not " + scene::number_text(force, 6) + " N"}});
   }
   ritz.stiffness_x += force * unit;
   ritz.stiffness_y += force * unit;

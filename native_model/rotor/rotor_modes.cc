@@ -270,7 +270,7 @@ RotorModes rotor_modes(const scene::Scene& scene) {
     const double lowest = std::min(result.x.frequency[0], result.y.frequency[0]);
     throw scene::SceneError({{"", 0, "rotor.max_frequency",
                               "keeps no bending mode: the lowest is at " + std::to_string(lowest) +
-                                  " rad/s; accepted: a higher frequency"}});
+                                  " rad/s; give a higher frequency"}});
   }
   return result;
 }

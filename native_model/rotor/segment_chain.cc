@@ -33,8 +33,8 @@ std::vector<double> nodes(const std::vector<double>& stations, int count) {
   if (static_cast<std::size_t>(count) < intervals) {
     throw scene::SceneError(
         {{"", 0, "mujoco.segments",
-          "too few: the scene's stations cut the shaft into " + std::to_string(intervals) +
-              "; accepted: " + std::to_string(intervals) + " to 200, got " +
+          "are too few, because the scene's stations cut the shaft into " +
+              std::to_string(intervals) + "; give " + std::to_string(intervals) + " to 200, not " +
               std::to_string(count)}});
   }
   std::vector<int> parts(intervals, 1);
@@ -101,7 +101,7 @@ SegmentChain segment_chain(const scene::Scene& scene) {
         {{"", 0, "mujoco.rotor",
           std::string("\"segments\" has no ") +
               (sheared ? "shear deformation (rotor.theory)" : "axial force (rotor.axial_force)") +
-              "; accepted: \"modal\""}});
+              "; set \"modal\""}});
   }
   const std::vector<double> z = nodes(stations(scene), scene.mujoco.segments);
   SegmentChain chain;

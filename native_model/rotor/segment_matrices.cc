@@ -140,8 +140,8 @@ void check_modes(const SegmentChain& chain, int modes, int torsion_modes) {
   if (needed <= segments) return;
   throw scene::SceneError(
       {{"", 0, "mujoco.segments",
-        "too few for the modes that the scene keeps; accepted: " + std::to_string(needed) +
-            " to 200, got " + std::to_string(segments)}});
+        "are too few for the modes that the scene keeps; give " + std::to_string(needed) +
+            " to 200, not " + std::to_string(segments)}});
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ int functions_needed(double wave_length_ratio) {
   throw scene::SceneError(
       {{"", 0, "rotor",
         "needs modes so high that the shaft has more than " + std::to_string(kMostFunctions) +
-            " shape functions; accepted: fewer modes, or a lower max_frequency"}});
+            " shape functions; keep fewer modes, or lower max_frequency"}});
 }
 
 // On a cone the solution is a wave times a factor from the change of the section. Elements are so

@@ -59,7 +59,8 @@ Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {
   for (std::size_t k = 0; model.auxiliary.size() > 1 && k < model.auxiliary.size(); ++k) {
     if (model.auxiliary[k].coil == kAbsent) continue;
     scene::refuse_at(scene, k, "actuator.coil_lag",
-                     "with several contacts a coil_lag needs the integrator event; accepted: 0");
+                     "with several contacts a coil_lag needs the integrator event; set 0 for "
+                     "another integrator");
   }
   return run_fixed(integrator, model, scene.run, step, options);
 }

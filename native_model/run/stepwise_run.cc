@@ -25,7 +25,7 @@ const scene::Scene& checked(const scene::Scene& scene) {
       if (time > 0.0)
         scene::refuse_at(scene, k, key,
                          "a run that is stepped from outside does not support impacts of finite "
-                         "duration; accepted: 0");
+                         "duration; set 0");
     }
   }
   return scene;

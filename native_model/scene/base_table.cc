@@ -55,8 +55,7 @@ void check_base(Reading& check) {
     for (const char* key : {".amplitude", ".phase"})
       check.list_length(key, base.frequency.size(), "line of base.frequency");
   }
-  if (check.given(".phase") && check.given(".seed"))
-    check.fail(".seed", "cannot be given together with base.phase; remove one of them");
+  check.excludes(".seed", ".phase");
   if (check.sound({".on", ".off"}) && base.off < base.on)
     check.fail(".off", "must not be before `on` = " + number_text(base.on) + " s");
 }

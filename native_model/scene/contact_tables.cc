@@ -119,11 +119,7 @@ void check_compliance(const Reading& check) {
     check.missing("contact.restitution");
   }
   if (!contact.compliance) return;
-  if (contact.compliance->damping && contact.compliance->hunt_crossley) {
-    check.fail(
-        "contact.compliance.damping",
-        "cannot be given together with contact.compliance.hunt_crossley; remove one of them");
-  }
+  check.excludes("contact.compliance.damping", "contact.compliance.hunt_crossley");
   if (contact.compliance->damping && contact.compliance->exponent != 1.0) {
     check.fail(
         "contact.compliance.damping",
@@ -184,7 +180,6 @@ void check_contact(const Reading& check) {
   check_contact_shapes(check);
   check_compliance(check);
   check_friction(check);
-  check_gap_at_start(check);
   check_list(check);
 }
 

@@ -87,8 +87,9 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
 
 std::string suggestion(std::string_view word, std::span<const std::string_view> accepted) {
   const std::string_view meant = nearest(word, accepted);
-  const std::string how =
-      meant.empty() ? "; accepted: " : ", did you mean `" + std::string(meant) + "`? Accepted: ";
+  const std::string how = meant.empty()
+                              ? "; choose from "
+                              : ", did you mean `" + std::string(meant) + "`? Choose from ";
   return how + join(accepted);
 }
 

@@ -36,8 +36,8 @@ class SceneError : public std::runtime_error {
 // of the letters may differ (at least one in words of three letters or more).
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
-// How a message about an unknown word ends: ", did you mean `event`? Accepted: event, verlet", or
-// "; accepted: event, verlet" if no word is near.
+// How a message about an unknown word ends: ", did you mean `event`? Choose from event, verlet", or
+// "; choose from event, verlet" if no word is near.
 std::string suggestion(std::string_view word, std::span<const std::string_view> accepted);
 
 // "a, b, c"

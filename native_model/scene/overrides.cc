@@ -162,12 +162,9 @@ void drop_times_beyond(TomlNode& run, const TomlNode& end) {
 
 // True if a scene may have this table or key, so that it can be removed.
 bool is_known(const std::vector<Step>& steps) {
-  std::vector<Step> keys = steps;
-  std::erase_if(keys, [](const Step& step) { return step.is_index; });
-  const std::string above = table_path(keys), name = keys.back().key;
-  const Table* table = find_table(above);
-  const bool key = table != nullptr && (table->any_key || table->find(name));
-  return key || find_table((above.empty() ? "" : above + ".") + name) != nullptr;
+  std::string path = table_path(steps);
+  if (!steps.back().is_index) path += (path.empty() ? "" : ".") + steps.back().key;
+  return find_key(path) != nullptr || find_table(path) != nullptr;
 }
 
 // Turns a constant mu into a friction law before a key of [contact.friction] is set.

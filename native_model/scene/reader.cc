@@ -1,5 +1,6 @@
 #include "native_model/scene/reader.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
@@ -13,10 +14,16 @@
 
 #include "native_model/scene/overrides.h"
 #include "native_model/scene/reading.h"
+#include "native_model/scene/text.h"
 #include "native_model/scene/toml_source.h"
 
 namespace rotorub::scene {
 namespace {
+
+// The folder of a scene's file, where relative paths of the scene start.
+std::string folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path().string() : ".";
+}
 
 // bytes; limits the reading of devices and of files given by mistake
 constexpr std::size_t kLargestFile = 16u << 20u;
@@ -38,6 +45,21 @@ std::string text_in(const std::filesystem::path& path, const char* expected, std
   return text;
 }
 
+// ", did you mean ring.toml?" for the name of a missing file that misspells a scene or study beside
+// it; else empty.
+std::string near_file(const std::filesystem::path& path) {
+  std::error_code none;
+  if (std::filesystem::exists(path, none)) return {};
+  std::vector<std::string> stems;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_of(path), none)) {
+    if (entry.path().extension() == ".toml") stems.push_back(entry.path().stem().string());
+  }
+  std::sort(stems.begin(), stems.end());
+  const std::vector<std::string_view> known(stems.begin(), stems.end());
+  const std::string_view meant = nearest(path.stem().string(), known);
+  return meant.empty() ? "" : ", did you mean " + printable(meant) + ".toml?";
+}
+
 // Refuses a study with one sentence, because none of its keys belongs to a scene.
 void refuse_study(const TomlNode& root) {
   if (root.find("rotor") != nullptr) return;
@@ -53,9 +75,18 @@ void refuse_study(const TomlNode& root) {
   }
 }
 
-// The folder of a scene's file, where relative paths of the scene start.
-std::string folder_of(const std::filesystem::path& file) {
-  return file.has_parent_path() ? file.parent_path().string() : ".";
+// Makes the scene from the tree of `text`. `diagnostics`: faults found so far.
+Scene scene_of(TomlNode root, const std::string& file_name, std::string text,
+               std::vector<Diagnostic> diagnostics) {
+  Scene scene;
+  scene.name = std::filesystem::path(file_name).stem().string();
+  scene.text = std::move(text);
+  Reading reading(scene, diagnostics);
+  reading.read(root);
+  reading.check();
+  if (!diagnostics.empty()) throw SceneError(std::move(diagnostics));
+  complete(scene);
+  return scene;
 }
 
 }  // namespace
@@ -64,7 +95,7 @@ std::string file_text(const std::filesystem::path& path) {
   try {
     return text_in(path, "a scene file (TOML)", kLargestFile);
   } catch (const std::runtime_error& error) {
-    throw SceneError({{path.string(), 0, {}, error.what()}});
+    throw SceneError({{path.string(), 0, {}, error.what() + near_file(path)}});
   }
 }
 
@@ -89,21 +120,8 @@ Scene parse_scene(std::string_view text, const std::string& file_name,
   if (!root) throw SceneError(std::move(diagnostics));
   refuse_study(*root);
   apply_overrides(*root, overrides, diagnostics);
-  return scene_of(*root, file_name, overrides.empty() ? std::string(text) : write_toml(*root),
-                  std::move(diagnostics));
-}
-
-Scene scene_of(const TomlNode& root, const std::string& file_name, std::string text,
-               std::vector<Diagnostic> diagnostics) {
-  Scene scene;
-  scene.name = std::filesystem::path(file_name).stem().string();
-  scene.text = std::move(text);
-  Reading reading(scene, diagnostics);
-  reading.read(root);
-  reading.check();
-  if (!diagnostics.empty()) throw SceneError(std::move(diagnostics));
-  complete(scene);
-  return scene;
+  std::string applied = overrides.empty() ? std::string(text) : write_toml(*root);
+  return scene_of(std::move(*root), file_name, std::move(applied), std::move(diagnostics));
 }
 
 std::string scene_hash(const Scene& scene) { return text_hash(scene.text); }
@@ -133,7 +151,7 @@ Scene Variants::scene(std::span<const std::string> changes, bool with_text) cons
   TomlNode root = root_;
   apply_overrides(root, changes, diagnostics);
   std::string text = with_text ? write_toml(root) : std::string();
-  Scene scene = scene_of(root, file_, std::move(text), std::move(diagnostics));
+  Scene scene = scene_of(std::move(root), file_, std::move(text), std::move(diagnostics));
   scene.folder = folder_of(file_);
   return scene;
 }

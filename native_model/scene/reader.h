@@ -23,11 +23,8 @@ Scene read_scene(const std::filesystem::path& path, std::span<const std::string>
 Scene parse_scene(std::string_view text, const std::string& file_name,
                   std::span<const std::string> overrides = {});
 
-// The two stages of the functions above. Reads the text of a scene file; throws SceneError.
+// The text of a scene file. Throws SceneError.
 std::string file_text(const std::filesystem::path& path);
-// Makes the scene from the tree of `text`. `diagnostics`: faults found so far.
-Scene scene_of(const TomlNode& root, const std::string& file_name, std::string text,
-               std::vector<Diagnostic> diagnostics);
 
 // 64-bit FNV-1a hash of Scene::text alone, as 16 hexadecimal digits.
 std::string scene_hash(const Scene& scene);

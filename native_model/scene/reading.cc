@@ -22,8 +22,8 @@ using Kind = TomlNode::Kind;
 constexpr const char* kGeometryForm = "the geometry form ([rotor] with length, E, rho, ...)";
 constexpr const char* kModalForm = "the modal form ([rotor.modal])";
 
-const TomlNode* find_path(const TomlNode& root, std::string_view path) {
-  const TomlNode* node = &root;
+TomlNode* find_path(TomlNode& root, std::string_view path) {
+  TomlNode* node = &root;
   while (node != nullptr && !path.empty()) {
     const std::string_view key = path.substr(0, path.find('.'));
     node = node->kind == Kind::kTable ? node->find(key) : nullptr;
@@ -63,14 +63,16 @@ bool stands_below(const Table& table, const Table* above, const std::string& pat
          is_part_of_contact(table);
 }
 
-// The tables that allow a key of this name: "[rotor], [rotor.torsion]".
-std::string homes_of(std::string_view name) {
-  std::string text;
+// Where a key or table of this name belongs: "`mass` belongs in [stator], [rotor.modal]". Empty if
+// it belongs nowhere.
+std::string homes_of(const std::string& name, bool is_table) {
+  std::string homes;
   for (const Table& table : tables()) {
-    if (table.find(name) == nullptr) continue;
-    text += (text.empty() ? "" : ", ") + header(table.list, std::string(table.path));
+    if (is_table ? table.name() != name : table.find(name) == nullptr) continue;
+    homes += (homes.empty() ? "" : ", ") + header(table.list, std::string(table.path));
   }
-  return text;
+  if (homes.empty()) return homes;
+  return (is_table ? "write it as " : "`" + name + "` belongs in ") + homes;
 }
 
 // The `kind` of a table: the given word or the default. Empty if there is none or it is unknown.
@@ -98,11 +100,7 @@ bool Reading::refuse(const Spot& here, std::string reason) {
   return false;
 }
 
-void Reading::report_missing(const Spot& here, std::string reason) {
-  if (!misspelt_.contains(here.path)) refuse(here, std::move(reason));
-}
-
-Reading::Spot Reading::Spot::below(const TomlNode& inner, std::string_view key) const {
+Reading::Spot Reading::Spot::below(TomlNode& inner, std::string_view key) const {
   return {inner, path.empty() ? std::string(key) : path + "." + std::string(key)};
 }
 
@@ -110,57 +108,48 @@ void Reading::note(const Spot& here, bool sound, const std::string& written) {
   record_->note(here.path, here.node, sound, written);
 }
 
-void Reading::read(const TomlNode& root) {
+void Reading::read(TomlNode& root) {
   note({root, {}}, true);
   refuse_unknown(nullptr, {root, {}});
-  find_form(root);
+  if (root.find("rotor") == nullptr)
+    refuse({root, "rotor"}, "missing: every scene needs a table [rotor]");
   const TomlNode* contact = root.find("contact");
   const bool listed = contact != nullptr && contact->kind == Kind::kArray;
   for (const Table& table : tables()) {
     const std::string path(table.path);
     if (listed && is_part_of_contact(table)) {
-      if (const TomlNode* node = find_path(root, path)) {
+      if (TomlNode* node = find_path(root, path)) {
         refuse({*node, path},
                "cannot stand beside [[contact]]; give each contact its own, as [contact." + path +
                    "] below its [[contact]]");
       }
-    } else if (const TomlNode* node = root.find(path); node != nullptr && table.parent().empty()) {
+    } else if (TomlNode* node = root.find(path); node != nullptr && table.parent().empty()) {
       read_table(table, {*node, path});
     }
   }
 }
 
 // The form is modal if there is a [rotor.modal], and geometry if there is any key of a geometry.
-void Reading::find_form(const TomlNode& root) {
-  const TomlNode* rotor = root.find("rotor");
-  if (rotor == nullptr) {
-    report_missing({root, "rotor"}, "missing: every scene needs a table [rotor]");
-    return;
-  }
-  if (rotor->kind != Kind::kTable) return;
-  const TomlNode* modal = rotor->find("modal");
+void Reading::find_form(const Spot& rotor) {
+  TomlNode* modal = rotor.node.find("modal");
   std::string geometry;  // the first key of a geometry
-  bool misspelt_modal = false;
-  for (const auto& [name, value] : rotor->entries) {
+  for (const auto& [name, value] : rotor.node.entries) {
     const Key* key = find_table("rotor")->find(name);
     const Table* table = find_table("rotor." + name);
     if ((key && key->form == Form::kGeometry) || (table && table->form == Form::kGeometry)) {
       geometry = geometry.empty() ? name : geometry;
     }
-    const std::string_view modal_form[] = {"modal"};
-    if (!key && !table && !nearest(name, modal_form).empty()) misspelt_modal = true;
   }
   if (modal != nullptr && !geometry.empty()) {
-    refuse({*modal, "rotor.modal"},
+    refuse(rotor.below(*modal, "modal"),
            "the rotor is given both by its modes and by its geometry (`rotor." + geometry +
                "`); remove one of them");
   } else if (modal != nullptr) {
     form_ = Form::kModal;
   } else if (!geometry.empty()) {
     form_ = Form::kGeometry;
-  } else if (!misspelt_modal) {
-    refuse({*rotor, "rotor"},
-           std::string("no rotor is given; give ") + kGeometryForm + " or " + kModalForm);
+  } else {
+    refuse(rotor, std::string("no rotor is given; give ") + kGeometryForm + " or " + kModalForm);
   }
 }
 
@@ -176,7 +165,7 @@ void Reading::refuse_unknown(const Table* own, const Spot& here) {
     if (stands_below(table, own, here.path)) known.push_back(table.name());
   }
   bool said_ross = false;
-  for (const auto& [name, value] : here.node.entries) {
+  for (auto& [name, value] : here.node.entries) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     if (own != nullptr && own->path == "rotor.bearing" && is_ross_coefficient(name)) {
       if (!said_ross) refuse(here.below(value, name), kRossBearing);
@@ -187,15 +176,18 @@ void Reading::refuse_unknown(const Table* own, const Spot& here) {
         value.kind == Kind::kTable || (value.kind == Kind::kArray && !value.items.empty() &&
                                        value.items.front().kind == Kind::kTable);
     std::string reason = is_table ? "unknown table" : "unknown key";
-    if (const std::string_view meant = nearest(name, known); !meant.empty()) {
-      reason += ", did you mean `" + std::string(meant) + "`? Accepted here: ";
-      misspelt_.insert(here.below(value, meant).path);
-    } else if (const std::string homes = homes_of(name); !homes.empty()) {
-      reason += " here; `" + name + "` belongs in " + homes + ". Accepted here: ";
+    const std::string homes = homes_of(name, is_table);
+    const std::string_view meant = homes.empty() ? nearest(name, known) : std::string_view();
+    if (!homes.empty()) {
+      reason += " here; " + homes + ". The names here are ";
+    } else if (meant.empty()) {
+      reason += "; choose from ";
     } else {
-      reason += "; accepted here: ";
+      reason += ", did you mean `" + std::string(meant) + "`? Choose from ";
     }
     refuse(here.below(value, name), reason + join(known));
+    // The value is read as it was meant, so that the mistake has no further consequences.
+    if (!meant.empty() && here.node.find(meant) == nullptr) name = meant;
   }
 }
 
@@ -237,11 +229,12 @@ void Reading::read_object(const Table& table, const Spot& here) {
   note(here, true);
   if (table.any_key) return read_any(table, here);
   refuse_unknown(&table, here);
+  if (table.path == "rotor") find_form(here);
   const std::string_view kind = kind_of(table, here.node);
   void* object = table.object != nullptr ? table.object(scene_) : &rules_.emplace_back();
   for (const Key& key : table.keys) {
-    const TomlNode* value = here.node.find(key.name);
-    const TomlNode* other = key.also.empty() ? nullptr : here.node.find(key.also);
+    TomlNode* value = here.node.find(key.name);
+    TomlNode* other = key.also.empty() ? nullptr : here.node.find(key.also);
     const Spot one = here.below(value != nullptr   ? *value
                                 : other != nullptr ? *other
                                                    : here.node,
@@ -261,7 +254,7 @@ void Reading::read_object(const Table& table, const Spot& here) {
     } else if (key.required() && key.belongs_to(form_) &&
                (key.kinds.empty() || (!kind.empty() && key.is_for(kind)))) {
       record_->note_missing(one.path);
-      report_missing(one, "missing: expected " + key.expected());
+      refuse(one, "missing: expected " + key.expected());
     }
   }
   read_below(table, kind, here);
@@ -270,7 +263,7 @@ void Reading::read_object(const Table& table, const Spot& here) {
 void Reading::read_below(const Table& table, std::string_view kind, const Spot& here) {
   for (const Table& below : tables()) {
     if (!stands_below(below, &table, here.path)) continue;
-    const TomlNode* own = here.node.find(below.name());
+    TomlNode* own = here.node.find(below.name());
     if (own == nullptr) continue;
     const Spot spot = here.below(*own, below.name());
     if (kind.empty() || below.is_for(kind)) {
@@ -304,7 +297,7 @@ bool Reading::read_key(const Key& key, std::string_view kind, const Spot& here, 
 
 void Reading::read_any(const Table& table, const Spot& here) {
   auto& config = *static_cast<std::vector<ConfigEntry>*>(table.object(scene_));
-  for (const auto& [name, value] : here.node.entries) {
+  for (auto& [name, value] : here.node.entries) {
     if (value.kind == Kind::kFaulty) continue;
     ConfigEntry entry{name, std::nullopt, 0.0};
     bool sound = true;

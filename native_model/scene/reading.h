@@ -6,7 +6,6 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,8 +22,8 @@ class Reading {
   // Fills `of_scene`, which also gets the record of its keys.
   Reading(Scene& of_scene, std::vector<Diagnostic>& diagnostics);
 
-  // Reads all tables below `root`.
-  void read(const TomlNode& root);
+  // Reads all tables below `root`, in which misspelt names are corrected.
+  void read(TomlNode& root);
   // Reports the contradictions between keys, except for keys that are already known to be faulty.
   void check();
 
@@ -51,6 +50,8 @@ class Reading {
   void missing(std::string_view key, const std::string& why = {}) const;
   // Reports a given key that has no effect without `other`, a key or a "[table]".
   void needs(std::string_view key, const std::string& other, const std::string& why = {}) const;
+  // Reports a key that is given together with `other`. why: for instance ", which sets it".
+  void excludes(std::string_view key, std::string_view other, const std::string& why = {}) const;
   // Reports a station beyond the end of the shaft.
   void station(const std::string& path, double z) const;
   // Reports a given list that does not have `length` values (empty: unknown), one for each `of`.
@@ -60,7 +61,7 @@ class Reading {
   bool ascending(const std::string& path, const std::vector<double>& list) const;
   // Reports the abscissae of a table that are fewer than two ("two speeds") or not ascending.
   void abscissae(const std::string& path, const std::vector<double>& list, const char* two) const;
-  // Reports what is missing beside the keys of a coil's voltage in the table at `path`.
+  // Reports the keys that a coil's voltage limit in the table at `path` still needs.
   void voltage(const std::string& path) const;
   // Number of bending (torsion) modes. Empty if the scene does not state it, as with max_frequency.
   std::optional<std::size_t> bending_modes() const;
@@ -69,18 +70,16 @@ class Reading {
  private:
   // A value and the path of its key.
   struct Spot {
-    const TomlNode& node;
+    TomlNode& node;
     std::string path;
-    Spot below(const TomlNode& inner, std::string_view key) const;
+    Spot below(TomlNode& inner, std::string_view key) const;
   };
   // Records the key; see Record::note.
   void note(const Spot& here, bool sound, const std::string& written = {});
   // Reports what is wrong at `node`. Always false, as the result of a function that reads.
   bool refuse(const Spot& here, std::string reason);
-  // Reports a missing key or table, unless a misspelling of it has been reported.
-  void report_missing(const Spot& here, std::string reason);
 
-  void find_form(const TomlNode& root);
+  void find_form(const Spot& rotor);
   void refuse_unknown(const Table* table, const Spot& here);
   // Reads the table at `node`, or each element of its list.
   void read_table(const Table& table, const Spot& here);
@@ -101,8 +100,6 @@ class Reading {
   std::vector<Diagnostic>& diagnostics_;
   std::shared_ptr<Record> record_;
   std::vector<Rule> rules_;
-  // The full paths that unknown keys and tables are taken for: "contact.friction".
-  std::set<std::string, std::less<>> misspelt_;
   Form form_ = Form::kEither;  // kEither: unknown
 };
 
@@ -113,13 +110,12 @@ void check_run(const Reading& check);                             // [run]
 void check_loads(Reading& check);  // [drive], [[force]], [base], magnetic bearings
 void check_base(Reading& check);   // [base]
 void check_magnetic_bearings(Reading& check);
-void check_start(const Reading& check);         // [initial], [gravity], [mujoco]
-void check_ring(const Reading& check);          // [stator] of one bearing and the tables below it
-void check_actuator(const Reading& check);      // [actuator] of one bearing
-void check_contact(const Reading& check);       // [contact] of one bearing and its laws
-void check_gap_at_start(const Reading& check);  // refuses a rotor that starts outside its ring
-void check_control(const Reading& check);  // [controller] of one bearing and the tables below it
-void check_rules(Reading& check);          // [[check]]
+void check_start(const Reading& check);     // [initial], [gravity], [mujoco]
+void check_ring(const Reading& check);      // [stator] of one bearing and the tables below it
+void check_actuator(const Reading& check);  // [actuator] of one bearing
+void check_contact(const Reading& check);   // [contact] of one bearing and its laws
+void check_control(const Reading& check);   // [controller] of one bearing and the tables below it
+void check_rules(Reading& check);           // [[check]]
 
 // Fills in values that follow from other keys: G from nu, lists of the modal form up to their
 // length, the damping of torsion, output_times in ascending order. Call it only if the scene has no

@@ -20,24 +20,22 @@ std::string Reading::full(std::string_view key) const {
 std::string Reading::place(std::string_view key) const { return record_->place(full(key), index); }
 
 void Reading::fail(std::string_view key, std::string reason) const {
-  if (reason.starts_with("missing: ") && misspelt_.contains(place(key))) return;
   diagnostics_.push_back(record_->diagnostic(place(key), std::move(reason)));
 }
 
 void Reading::missing(std::string_view key, const std::string& why) const {
-  std::string table = place(key);
-  const std::string name = table.substr(table.rfind('.') + 1);
-  table.erase(table.rfind('.'));
-  for (std::size_t open = 0; (open = table.find('[')) != std::string::npos;) {
-    table.erase(open, table.find(']') + 1 - open);
-  }
-  fail(key, "missing: expected " + find_table(table)->find(name)->expected() + why);
+  fail(key, "missing: expected " + find_key(place(key))->expected() + why);
 }
 
 void Reading::needs(std::string_view key, const std::string& other, const std::string& why) const {
   const bool table = other.starts_with('[');
   if (given(key) && !given(table ? other.substr(1, other.size() - 2) : other))
     fail(key, "needs " + full(other) + why);
+}
+
+void Reading::excludes(std::string_view key, std::string_view other, const std::string& why) const {
+  if (given(key) && given(other))
+    fail(key, "cannot be given together with " + full(other) + why + "; remove one of them");
 }
 
 void Reading::station(const std::string& path, double z) const {

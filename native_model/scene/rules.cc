@@ -31,7 +31,7 @@ Table rule_table() {
 
 std::vector<Rule> read_rules(const Scene& scene) {
   std::vector<Diagnostic> diagnostics;
-  const std::optional<TomlNode> root = parse_toml(scene.text, scene.name + ".toml", diagnostics);
+  std::optional<TomlNode> root = parse_toml(scene.text, scene.name + ".toml", diagnostics);
   if (!root) return {};
   Scene again;
   Reading reading(again, diagnostics);

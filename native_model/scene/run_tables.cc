@@ -7,10 +7,8 @@
 namespace rotorub::scene {
 namespace {
 
-constexpr double kMostRows =
-    1e7;  // rows of a series; the engines also check its columns (model/model_checks.h)
-constexpr double kGapTolerance =
-    1e-9;  // relative to the clearance, so that a rotor may start on the ring
+// Rows of a series. The engines also check its columns (model/model_checks.h).
+constexpr double kMostRows = 1e7;
 
 Table gravity() {
   return {"gravity",
@@ -116,13 +114,10 @@ void check_given_start(const Reading& check) {
   const std::string by = rubs ? "initial.rub" : "initial.steady";
   for (const char* key : {"initial.x", "initial.y", "initial.vx", "initial.vy", "initial.stator",
                           "initial.stator_velocity"}) {
-    if (!check.given(key)) continue;
-    check.fail(key, "cannot be given together with " + by + ", which sets it; remove one of them");
+    check.excludes(key, by, ", which sets it");
   }
   for (const char* key : {"stator.position", "stator.velocity"}) {
-    if (rubs && check.given(key))
-      check.fail(key,
-                 "cannot be given together with initial.rub, which sets it; remove one of them");
+    if (rubs) check.excludes(key, by, ", which sets it");
   }
   if (initial.steady && rubs) {
     check.fail(
@@ -213,41 +208,6 @@ void check_run(const Reading& check) {
     if (run.output_times[i] > run.end) {
       check.fail(list_element("run.output_times", i), "must be in [0, " + end + "]");
     }
-  }
-}
-
-// In the modal form the contact point's displacement is the plain sum of the modes. In the geometry
-// form a mode with a node at the contact is scaled differently, which is known only after the modes
-// are computed.
-void check_gap_at_start(const Reading& check) {
-  const Scene& scene = check.scene;
-  const AuxiliaryBearing& bearing = check.bearing();
-  if (!scene.rotor.modal || !bearing.contact ||
-      !check.sound(
-          {"contact.clearance", "contact.shape", "initial.x", "initial.y", "initial.stator"})) {
-    return;
-  }
-  Eigen::Vector2d offset{0.0, 0.0};
-  if (bearing.stator) offset -= bearing.stator->position;
-  const std::vector<double>& shape = bearing.contact->shape;
-  const auto add = [&shape](const std::vector<double>& modes, double& sum) {
-    for (std::size_t i = 0; i < modes.size(); ++i)
-      sum += (i < shape.size() ? shape[i] : 1.0) * modes[i];
-  };
-  add(scene.initial.x, offset.x());
-  add(scene.initial.y, offset.y());
-  const double clearance = bearing.contact->clearance;
-  // Compliant contact: the initial penetration may be as deep as in a run.
-  const double reach = bearing.contact->compliance ? 2.0 * clearance : clearance;
-  if (offset.norm() > reach * (1.0 + kGapTolerance)) {
-    const char* key = check.given("initial.x")     ? "initial.x"
-                      : check.given("initial.y")   ? "initial.y"
-                      : scene.auxiliary.size() > 1 ? "stator.position"
-                                                   : "initial.stator";
-    check.fail(key, "the rotor starts outside the ring, " + number_text(offset.norm()) +
-                        " m from its centre; start it at most " +
-                        (reach > clearance ? "twice " : "") + check.place("contact.clearance") +
-                        " = " + number_text(clearance) + " m from there");
   }
 }
 

@@ -95,6 +95,28 @@ bool is_part_of_contact(const Table& table) {
   return root == "stator" || root == "actuator" || root == "controller";
 }
 
+std::string without_elements(std::string_view path) {
+  std::string text;
+  while (!path.empty()) {
+    const std::string_view part = path.substr(0, path.find('.'));
+    path.remove_prefix(std::min(part.size() + 1, path.size()));
+    const std::string_view name = part.substr(0, part.find('['));
+    const bool number =
+        std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+    if (!number) text += (text.empty() ? "" : ".") + std::string(name);
+  }
+  return text;
+}
+
+const Key* find_key(std::string_view path) {
+  static const Key any_number{};
+  const std::string plain = without_elements(path);
+  const std::size_t dot = plain.rfind('.');
+  const Table* table = dot == std::string::npos ? nullptr : find_table(plain.substr(0, dot));
+  if (table == nullptr || table->any_key) return table == nullptr ? nullptr : &any_number;
+  return table->find(plain.substr(dot + 1));
+}
+
 const Table* find_table(std::string_view path) {
   constexpr std::string_view kList = "contact.";
   const bool below = path.starts_with(kList);

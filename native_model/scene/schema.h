@@ -123,6 +123,11 @@ struct Table {
 std::span<const Table> tables();
 // "contact.stator" means [stator] below a [[contact]].
 const Table* find_table(std::string_view path);
+// The path without the elements of lists: "force.on" for "force[0].on" and "force.0.on".
+std::string without_elements(std::string_view path);
+// The row of the key at a path with or without elements; null if there is none. For a table with
+// any keys it is a number without a unit and without a name.
+const Key* find_key(std::string_view path);
 // True for parts of an auxiliary bearing that stand below each [[contact]]: [stator],
 // [controller.sensors].
 bool is_part_of_contact(const Table& table);

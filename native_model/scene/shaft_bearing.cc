@@ -35,19 +35,7 @@ ShaftBearing tabled(ShaftBearing bearing, double speed) {
   return bearing;
 }
 
-void check_journal(const Reading& check) {
-  for (const char* key :
-       {".stiffness", ".damping", ".cross_stiffness", ".cross_damping", ".table_speed"}) {
-    if (check.given(key))
-      check.fail(key, "cannot be given together with `journal`; remove one of them");
-  }
-}
-
 void check_table(const Reading& check, const ShaftBearing& bearing) {
-  for (const char* key : {".stiffness", ".damping", ".cross_stiffness", ".cross_damping"}) {
-    if (check.given(key))
-      check.fail(key, "cannot be given together with `table_speed`; remove one of them");
-  }
   if (!check.given(".table_kxx")) {
     check.fail(".table_kxx", "missing: expected a list of stiffnesses in N/m, one for each speed");
   }
@@ -151,11 +139,15 @@ void check_bearings(Reading& check, const RotorGeometry& shaft) {
   for (std::size_t i = 0; i < shaft.bearings.size(); ++i) {
     check.at = list_element("rotor.bearing", i);
     check.station(".z", shaft.bearings[i].z);
-    if (check.given(".journal")) check_journal(check);
+    for (const char* key : {".stiffness", ".damping", ".cross_stiffness", ".cross_damping"}) {
+      check.excludes(key, ".journal");
+      check.excludes(key, ".table_speed");
+    }
+    check.excludes(".table_speed", ".journal");
     if (check.given(".pedestal") && shaft.internal_damping_ratio > 0.0) {
       check.fail(".pedestal",
-                 "rotor.internal_damping_ratio damps whole modes in the rotating frame, and a "
-                 "pedestal does not turn; accepted: one of the two");
+                 "rotor.internal_damping_ratio damps whole modes in the rotating frame, but a "
+                 "pedestal does not turn; remove one of them");
     }
     if (check.given(".table_speed")) {
       check_table(check, shaft.bearings[i]);

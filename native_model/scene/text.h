@@ -13,7 +13,7 @@ std::string number_text(double number, int digits = 6);
 // The path of a list element, counted from 0: "force[1]".
 std::string list_element(const std::string& list, std::size_t index);
 
-// The text without surrounding spaces and tabs.
+// The text without surrounding spaces, tabs and line ends.
 std::string_view trimmed(std::string_view text);
 
 // "--speed = 3600 has no unit, so it is read as rad/s (34377 rpm); if you mean rpm, write "3600

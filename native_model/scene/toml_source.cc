@@ -95,30 +95,24 @@ std::vector<std::string> lines_of(std::string_view text) {
   return lines;
 }
 
-std::string trimmed_line(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1));
-}
-
-bool is_header(const std::string& line) { return trimmed_line(line).starts_with('['); }
+bool is_header(std::string_view line) { return trimmed(line).starts_with('['); }
 
 std::string header_path(const std::string& line) {
-  const std::string header = trimmed_line(line);
+  const std::string_view header = trimmed(line);
   const std::size_t begin = header.find_first_not_of("[ ");
   const std::size_t end = header.find(']');
-  return begin < end && end != std::string::npos ? trimmed_line(header.substr(begin, end - begin))
-                                                 : "";
+  if (begin >= end || end == std::string_view::npos) return {};
+  return std::string(trimmed(header.substr(begin, end - begin)));
 }
 
 // The key of a line `key = value`; empty for other lines.
 std::string assigned_key(const std::string& line) {
   const std::size_t equals = line.find('=');
-  const std::string key = trimmed_line(std::string_view(line).substr(0, equals));
+  const std::string_view key = trimmed(std::string_view(line).substr(0, equals));
   const bool bare = std::all_of(key.begin(), key.end(), [](unsigned char c) {
     return std::isalnum(c) || c == '_' || c == '-' || c == '.';
   });
-  return equals != std::string::npos && bare ? key : std::string();
+  return equals != std::string::npos && bare ? std::string(key) : std::string();
 }
 
 // The full key of an assignment: "force[1].on" for a line `on = ...` below the second [[force]].
@@ -131,7 +125,7 @@ std::string dotted_key(const std::vector<std::string>& lines, std::size_t index)
     if (!is_header(lines[i])) continue;
     if (path.empty()) {
       path = header_path(lines[i]);
-      list = trimmed_line(lines[i]).starts_with("[[");
+      list = trimmed(lines[i]).starts_with("[[");
     } else if (header_path(lines[i]) == path) {
       ++same;
     }
@@ -142,7 +136,7 @@ std::string dotted_key(const std::vector<std::string>& lines, std::size_t index)
 
 // A hint for the two most common mistakes, 0.5 mm and linear without quotes.
 std::string hint(std::string_view line) {
-  const std::string value = trimmed_line(line.substr(line.find('=') + 1));
+  const std::string_view value = trimmed(line.substr(line.find('=') + 1));
   const bool letters =
       std::any_of(value.begin(), value.end(), [](unsigned char c) { return std::isalpha(c); });
   if (!letters || value.find_first_of("\"'[{") != std::string::npos) return {};
@@ -241,11 +235,7 @@ std::optional<TomlNode> parse_toml(std::string_view text, const std::string& fil
     for (const std::string& line : lines) remaining += line;
     if (const int line = line_of_too_deep_key(remaining); line > 0) {
       const std::string most = std::to_string(kDeepestKey);
-      diagnostics.push_back(
-          {file,
-           line,
-           {},
-           "a key has more than " + most + " dots; at most " + most + " are accepted"});
+      diagnostics.push_back({file, line, {}, "a key has more than " + most + " dots; shorten it"});
       return std::nullopt;
     }
     const toml::parse_result parsed = toml::parse(remaining, file);

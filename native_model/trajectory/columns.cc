@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kContactColumn = "contact", kPrefix = "contact", kMagnets = "bearing",
                            kFurtherMagnets = "bearing<k>_<column>";
-// What a scene must have for a column to be present.
+// Parts that a scene must have for a column to be present.
 constexpr std::string_view kActuated = "a commanded actuator, or magnets",
                            kTurning = "a ring that turns", kMount = "a mount",
                            kSeveralContacts = "several contacts";

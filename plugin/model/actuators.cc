@@ -153,8 +153,8 @@ void compare_actuators(const mjModel* m, const mjData* d) {
     const char* name = m->names + m->name_actuatoradr[i];
     const std::string text = message(
         "rotorub: <plugin name=\"{}\"> of <actuator> gives another force when it is computed again "
-        "within a step, but the contact needs it before MuJoCo does; accepted: its state in "
-        "mjData.plugin_state or act, or the plugin preloaded (LD_PRELOAD)",
+        "within a step, but the contact needs it before MuJoCo does; keep its state in "
+        "mjData.plugin_state or act, or preload rotorub's plugin (LD_PRELOAD)",
         name);
     warn(text.c_str());
     return;

@@ -17,7 +17,7 @@ ScaledSensor scaled_sensor(const mjModel* m, const std::string& name) {
   s.reference = count(m->nuser_sensor) * mj_name2id(m, mjOBJ_SENSOR, name.c_str());
   if (m->nuser_sensor < 1 || !(m->sensor_user[s.reference] > 0.0)) {
     refuse(message("<user name=\"{}\">", name),
-           "user[0] must be the force that is shown as 1; accepted: user=\"200\" for 200 N");
+           "user[0] must be the force that is shown as 1; write user=\"200\" for 200 N");
   }
   return s;
 }
@@ -28,7 +28,7 @@ int sensor_address(const mjModel* m, const std::string& name, int dim) {
   const int id = mj_name2id(m, mjOBJ_SENSOR, name.c_str());
   if (id < 0 || m->sensor_type[id] != mjSENS_USER) return -1;
   if (m->sensor_dim[id] != dim) {
-    refuse(message("<user name=\"{}\">", name), message("accepted dim: {}", dim));
+    refuse(message("<user name=\"{}\">", name), message("needs dim=\"{}\"", dim));
   }
   check_sensor_attributes(m, id);
   return m->sensor_adr[id];

@@ -253,8 +253,8 @@ void choose_path(const mjModel* m, Config& config) {
   const std::string added = constraint.empty() ? "what MuJoCo steps implicitly" : constraint;
   if (config.pairs.size() > 1) {
     refuse(added,
-           "acts on a modal chain with several contacts; accepted: one contact, or a scene "
-           "with mujoco.rotor = \"segments\"");
+           "acts on a modal chain with several contacts, which is not supported; keep one contact, "
+           "or use a scene with mujoco.rotor = \"segments\"");
   }
   config.pairs.front().on_chain = false;
   config.verlet_data = -1;

@@ -26,16 +26,16 @@ const char* refused_options(const Config& config, const mjModel* m) {
   if (const char* why = refused_attributes(config, m)) return why;
   if (bearing_is_disabled(m, config)) {
     return "rotorub: <option actuatorgroupdisable>: disables an actuator of the bearing, whose "
-           "force the plugin computes; accepted: another group for the bearing's actuators";
+           "force the plugin computes; put the bearing's actuators in another group";
   }
   if (may_fall_asleep(config, m)) {
     return "rotorub: <flag sleep=\"enable\"/>: rotor or ring would sleep under the plugin's loads; "
-           "accepted: sleep=\"never\" on the bodies that carry them, or \"disable\"";
+           "set sleep=\"never\" on the bodies that carry them, or \"disable\" here";
   }
   if ((m->opt.enableflags & mjENBL_OVERRIDE) && config.has_soft()) {
     return "rotorub: <flag override=\"enable\"/>: MuJoCo's solver then uses o_margin, o_solref and "
            "o_solimp of <option> instead of the rotor's <pair>, which sets contact models coulomb "
-           "and cone; accepted: \"disable\", or contact model rigid";
+           "and cone; set \"disable\", or use contact model rigid";
   }
   return nullptr;
 }
@@ -44,17 +44,17 @@ const char* refused_integrator(const Config& config, const mjModel* m) {
   if (m->opt.integrator != mjINT_RK4) return nullptr;
   if (!config.model.samplers.empty()) {
     return "rotorub: <option integrator=\"RK4\">: a magnetic bearing's control is sampled once a "
-           "step; accepted: Euler, implicit";
+           "step; use Euler or implicit";
   }
   if (!config.has_rigid()) return nullptr;
-  return "rotorub: <option integrator=\"RK4\">: contact model `rigid` gives its impulses once a "
-         "step; accepted: Euler, implicit (or contact model coulomb or cone)";
+  return "rotorub: <option integrator=\"RK4\">: contact model `rigid` applies its impulses once a "
+         "step; use Euler or implicit (or contact model coulomb or cone)";
 }
 
 const char* refused_silence(const mjModel* m) {
   if (!passive_disabled(m) || !control_skipped(m)) return nullptr;
   return "rotorub: <flag spring=\"disable\" damper=\"disable\" actuation=\"disable\"/>: MuJoCo "
-         "then calls nothing that the contact could act in; accepted: one of them enabled";
+         "then calls nothing in which the contact could act; enable one of them";
 }
 
 }  // namespace rotorub::plugin

@@ -212,7 +212,7 @@ std::string segment_step_refusal(const Segments& segments, double step) {
   const double limit = 2.0 / segments.highest;
   if (step < limit) return {};
   return step_beyond(step, {limit, "the segment rotor"}) +
-         "; accepted: a smaller run.step, or fewer mujoco.segments";
+         "; lower run.step, or use fewer mujoco.segments";
 }
 
 namespace {

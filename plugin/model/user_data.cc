@@ -46,8 +46,8 @@ void refuse_clash(const Config& config, const mjModel* m) {
   // mju_error may leave by longjmp, so nothing here may have a destructor.
   static thread_local char words[500];
   std::snprintf(words, sizeof words,
-                "rotorub: mjData.userdata[%d] to [%d] hold the contacts' state, and something else "
-                "has written there (nuserdata is %d); accepted: another place, by <custom><numeric "
+                "rotorub: mjData.userdata[%d] to [%d] hold the contacts' state, but something else "
+                "has written there (nuserdata is %d); give another place by <custom><numeric "
                 "name=\"rotorub_userdata\" data=\"...\"/>, the index of the first",
                 config.memory, config.memory + config.memory_size - 1, count(m->nuserdata));
   raise_error(words);

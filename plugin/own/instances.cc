@@ -60,11 +60,9 @@ std::string config(const std::string& instance, const char* key) {
 // When MuJoCo attaches a model to another, it silently drops an instance that nothing refers to.
 void check_reference(const mjModel* m, int i, const std::string& name) {
   if (std::find(m->body_plugin, m->body_plugin + m->nbody, i) != m->body_plugin + m->nbody) return;
-  refuse(
-      element(name),
-      message("no body has it; accepted: <plugin instance=\"{}\"/> in the body of its rotor or of "
-              "its ring; a body has one",
-              name));
+  refuse(element(name), message("no body refers to it; put <plugin instance=\"{}\"/> in the body "
+                                "of its rotor or of its ring; a body can have one",
+                                name));
 }
 
 // An instance that is written inside its body has no name; it is the first contact.
@@ -73,8 +71,8 @@ PairName contact_of(const std::string& name) {
   const std::size_t at = name.rfind(kMark);  // a prefix may contain the word too
   if (at == name.npos) {
     refuse(element(name),
-           "its name determines the contact and its sensors; accepted: contact, contact_2, "
-           "left_contact and the like");
+           "its name determines the contact and its sensors; call it contact, contact_2, "
+           "left_contact or the like");
   }
   return {name.substr(0, at), name.substr(at + kMark.size())};
 }

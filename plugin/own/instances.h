@@ -34,8 +34,8 @@ struct InstanceWord {
   std::string element;  // <instance name="..."><config key="...">
   std::string name() const { return contact.of(key); }
 };
-// All of them, in the order of the file. Throws ConfigError if the name of an instance does not fit
-// or no body refers to it.
+// The entries of all instances, in the order of the file. Throws ConfigError if the name of an
+// instance does not fit or no body refers to it.
 std::vector<InstanceWord> instance_words(const mjModel* m);
 
 // The element of an instance that has this name, or would have it if the instance gave it; empty if

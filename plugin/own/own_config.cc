@@ -34,7 +34,7 @@ double value_or(const mjModel* m, const std::string& name, double otherwise, con
   const double value = own_value(m, name).value_or(otherwise);
   const bool below = range.open_below ? !(value > range.low) : !(value >= range.low);
   if (below || !(value <= range.high)) {
-    refuse(own_element(m, name), message("{}; accepted: {}", value, range.text));
+    refuse(own_element(m, name), message("{} must be {}", value, range.text));
   }
   return value;
 }
@@ -46,7 +46,7 @@ FrictionLaw own_friction(const mjModel* m, const std::string& name) {
   if (!said || said->size == 1) return value_or(m, name, 0.0, kCoefficient);
   if (said->size != 4) {
     refuse(own_element(m, name),
-           message("{} numbers; accepted: one, or four: static, kinetic, Stribeck speed, viscous",
+           message("has {} numbers; give one, or four: static, kinetic, Stribeck speed, viscous",
                    said->size));
   }
   const std::array<mjtNum, 4>& given = said->values;
@@ -57,8 +57,8 @@ FrictionLaw own_friction(const mjModel* m, const std::string& name) {
   law.viscous = given[3];
   if (!(given[1] >= 0.0 && law.excess >= 0.0 && given[2] > 0.0 && given[3] >= 0.0)) {
     refuse(own_element(m, name),
-           message("{} {} {} {}; accepted: a number, or static, kinetic >= 0 and at most static, "
-                   "Stribeck speed > 0, viscous >= 0",
+           message("{} {} {} {} is not a friction law; give one number, or static, kinetic >= 0 "
+                   "and at most static, Stribeck speed > 0, viscous >= 0",
                    given[0], given[1], given[2], given[3]));
   }
   return law;
@@ -83,10 +83,10 @@ double half_length(const mjModel* m, int geom, double otherwise) {
 void check_series(const mjModel* m, const PairName& name, Refusals& refusals) {
   if (name.suffix.empty()) return;
   const PairName first{name.prefix, ""};
-  const auto missing = [&](const char* key, const char* accepted) {
+  const auto missing = [&](const char* key, const char* what) {
     refusals.attempt([&] {
       refuse(own_element(m, name.of(key)),
-             message("missing, but {} is given; accepted: {}", first.of(key), accepted));
+             message("missing, but {} is given; give {}", first.of(key), what));
     });
   };
   for (const char* key : {names::kOwnFriction, names::kOwnRestitution, names::kOwnTangential,
@@ -108,8 +108,8 @@ void check_bodies(const mjModel* m, const PairName& name, const ContactPair& p) 
   if (m->body_weldid[rotor] != m->body_weldid[ring]) return;
   refuse(
       own_element(m, name.of(names::kOwnRingGeom)),
-      message("geom \"{}\" cannot move against the rotor's, \"{}\": {}; accepted: bodies with "
-              "a joint between them",
+      message("geom \"{}\" cannot move against the rotor's, \"{}\": {}; use bodies with a joint "
+              "between them",
               m->names + m->name_geomadr[p.ring_geom], m->names + m->name_geomadr[p.rotor_geom],
               rotor == ring ? "both are on one body" : "there is no joint between their bodies"));
 }
@@ -117,8 +117,8 @@ void check_bodies(const mjModel* m, const PairName& name, const ContactPair& p) 
 void check_across(const mjModel* m, const ContactPair& p) {
   if (!lies_across(m, p)) return;
   refuse(message("<geom name=\"{}\">", m->names + m->name_geomadr[p.rotor_geom]),
-         message("its axis stands across that of its ring, geom \"{}\", in qpos0; accepted: "
-                 "tilted by less than 60 degrees",
+         message("its axis stands across the axis of its ring, geom \"{}\", in qpos0; tilt it by "
+                 "less than 60 degrees",
                  m->names + m->name_geomadr[p.ring_geom]));
 }
 
@@ -141,7 +141,7 @@ std::optional<ContactPair> make_pair(const mjModel* m, const PairName& name, Ref
   numbers = check([&] {
     if (own_number(m, name.of(names::kOwnClearance))) return;
     refuse(own_element(m, name.of(names::kOwnClearance)),
-           "missing; accepted: the radial clearance in m, > 0");
+           "missing; give the radial clearance in m, > 0");
   });
   if (numbers) number(c.clearance, names::kOwnClearance, 0.0, kLength);
   const double drawn = rotor ? m->geom_size[3 * p.rotor_geom] : 1.0;
@@ -155,9 +155,10 @@ std::optional<ContactPair> make_pair(const mjModel* m, const PairName& name, Ref
   check([&] {
     if (!known || !(p.friction_reference > 0.0) || p.contact_model == scene::ContactModel::kCone)
       return;
-    refuse(own_element(m, name.of(names::kOwnFrictionReference)),
-           message("contact model {} has none; accepted: contact model cone",
-                   scene::to_string(p.contact_model)));
+    refuse(
+        own_element(m, name.of(names::kOwnFrictionReference)),
+        message("contact model {} has no friction reference; remove it, or use contact model cone",
+                scene::to_string(p.contact_model)));
   });
   check([&] { p.sensors = contact_sensors(m, name.prefix, name.suffix); });
   if (!rotor || !ring || !check([&] { check_bodies(m, name, p); })) return std::nullopt;
@@ -186,15 +187,15 @@ void check_two_contacts(const mjModel* m, const ContactPair& a, const ContactPai
                         const PairName& name) {
   if (a.pair == b.pair) {
     refuse(own_element(m, name.of(names::kOwnRotorGeom)),
-           message("{} already has a contact; accepted: one contact for two geoms",
+           message("{} already has a contact, and two geoms can have only one; remove this one",
                    pair_element(m, b)));
   }
   const auto solved_here = [](const ContactPair& p) { return !scene::is_cone(p.contact_model); };
   if (a.contact_model != b.contact_model && solved_here(a) && solved_here(b) &&
       share_tree(m, a, b)) {
     refuse(own_element(m, name.of(names::kContactText)),
-           message("differs from the contact model of {}, which moves with it; accepted: one "
-                   "contact model for both",
+           message("differs from the contact model of {}, which moves with it; use one contact "
+                   "model for both",
                    pair_element(m, a)));
   }
 }
@@ -205,11 +206,10 @@ void check_corrected(const mjModel* m, const Config& config) {
   for (const ContactPair& p : config.pairs) {
     const auto& corrected = config.corrected_pairs;
     if (std::find(corrected.begin(), corrected.end(), p.pair) == corrected.end()) continue;
-    refuse(pair_element(m, p),
-           message("belongs to a contact of contact model {}, but is also listed in "
-                   "rotorub_cone_coulomb_pair; accepted: rotorub_contact \"cone-coulomb\", which "
-                   "includes this correction",
-                   scene::to_string(p.contact_model)));
+    refuse(pair_element(m, p), message("belongs to a contact of contact model {}, but is also "
+                                       "listed in rotorub_cone_coulomb_pair; use rotorub_contact "
+                                       "\"cone-coulomb\" instead, which includes this correction",
+                                       scene::to_string(p.contact_model)));
   }
 }
 
@@ -252,7 +252,7 @@ void map_own_contacts(const mjModel* m, Config& config) {
   refusals.attempt([&] {
     if (contacts <= static_cast<int>(kMaxContacts)) return;
     refuse("<custom>",
-           message("{} contacts; accepted: up to {} in a model", contacts, kMaxContacts));
+           message("has {} contacts; a model can have up to {}", contacts, kMaxContacts));
   });
   config.memory_size =
       kEntries<ModelEntries> + kEntries<ContactEntries> * std::max(contacts - 1, 0);

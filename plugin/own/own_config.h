@@ -12,15 +12,15 @@
 //            rotorub_friction_reference                1/s, B_t >= 0 of contact model cone;
 //                                                      default: MuJoCo's own reference
 //            rotorub_width                             m, > 0, length of the ring along its axis;
-//                                                      default: that of its geom (cylinder,
+//                                                      default: from its geom (cylinder,
 //                                                      capsule, box), else endless
 // and once in the model
 //   numeric  rotorub_userdata                          index of the plugin's first entry in
 //                                                      mjData.userdata; default 0
 // Also, text rotorub_cone_coulomb_pair names a <pair> that is corrected for sliding
-// (contact/cone.h). Every other name that contains rotorub_ is refused. Lengths, mu and eps are
-// those of the scene file's [contact]. The ring's axis is the z axis of its geom; the rotor is at
-// the centre of its geom.
+// (contact/cone.h). Every other name that contains rotorub_ is refused. Lengths, mu and eps mean
+// the same as in the scene file's [contact]. The ring's axis is the z axis of its geom; the rotor
+// is at the centre of its geom.
 #pragma once
 
 #include <mujoco/mujoco.h>

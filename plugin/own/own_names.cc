@@ -38,7 +38,7 @@ OwnNumber parse(const InstanceWord& word) {
     good = problem == std::errc{} && std::isfinite(value) && (stop == end || *stop == ' ');
     at = stop;
   }
-  refuse(word.element, message("\"{}\"; accepted: {} without a unit", word.value,
+  refuse(word.element, message("\"{}\" must be {} without a unit", word.value,
                                most == 1 ? "a number" : "one number or four"));
 }
 
@@ -93,8 +93,8 @@ void check(const mjModel* m, const std::string& name, std::span<const char* cons
   const std::vector<std::string_view> views(known.begin(), known.end());
   const std::string_view meant = scene::nearest(name, views);
   if (!meant.empty())
-    refuse(element_of(m, kind, name), message("unknown; did you mean \"{}\"?", meant));
-  refuse(element_of(m, kind, name), message("unknown; accepted: {}", scene::join(views)));
+    refuse(element_of(m, kind, name), message("unknown name; did you mean \"{}\"?", meant));
+  refuse(element_of(m, kind, name), message("unknown name; choose from {}", scene::join(views)));
 }
 
 void check_names(const mjModel* m, const std::vector<PairName>& pairs, Refusals& refusals) {
@@ -103,8 +103,8 @@ void check_names(const mjModel* m, const std::vector<PairName>& pairs, Refusals&
       PairName of;
       if (is_key(name, names::kSceneText, of)) {
         refuse(own_element(m, name),
-               "a scene cannot be attached to another model; accepted in an attached model: geoms "
-               "and numbers (plugin/README.md, a model of your own)");
+               "a scene cannot be attached to another model; name geoms and numbers in the "
+               "attached model instead (plugin/README.md, a model of your own)");
       }
       if (is_key(name, names::kOwnConeCoulombPair, of)) return;  // with any ending
       check(m, name, kOwnTexts, "text", pairs);
@@ -119,12 +119,12 @@ void refuse_said_twice(const mjModel* m, const std::vector<InstanceWord>& words)
   for (auto word = words.begin(); word != words.end(); ++word) {
     const std::string name = word->name();
     if (custom_text(m, name) || mj_name2id(m, mjOBJ_NUMERIC, name.c_str()) >= 0) {
-      refuse(word->element, message("{} is in <custom> too; accepted: one of them", name));
+      refuse(word->element, message("{} is in <custom> too; remove one of them", name));
     }
     for (auto other = words.begin(); other != word; ++other) {
       if (other->name() != name) continue;
       refuse(word->element,
-             message("describes the same contact as {}; accepted: one instance for each contact",
+             message("describes the same contact as {}; keep one instance for each contact",
                      other->element));
     }
   }
@@ -183,17 +183,17 @@ std::vector<PairName> own_pair_names(const mjModel* m, Refusals& refusals) {
 void refuse_own_names(const mjModel* m) {
   if (has_instances(m)) {
     refuse("<extension>",
-           "has a contact beside the contact of the scene's text; accepted: one of them");
+           "has a contact beside the contact of the scene's text; remove one of them");
   }
   for_each_text(m, [m](const std::string& name) {
     if (name == names::kSceneText || name == names::kContactText) return;
     check(m, name, kOwnTexts, "text", {{}});
-    refuse(own_element(m, name), "beside a scene's text; accepted: one");
+    refuse(own_element(m, name), "stands beside a scene's text; remove one of them");
   });
   for_each_number(m, [m](const std::string& name, mjtNum) {
     if (name == names::kOwnFrictionReference) return;
     check(m, name, kOwnNumbers, "numeric", {{}});
-    refuse(own_element(m, name), "the scene's text has its own; accepted: the value in the scene");
+    refuse(own_element(m, name), "the scene's text has its own; set the value in the scene");
   });
 }
 
@@ -209,21 +209,18 @@ std::vector<int> corrected_pairs(const mjModel* m) {
     if (m->pair_dim[pair] < 3) {
       refuse(
           own_element(m, name),
-          message("<pair name=\"{}\"> has no friction to correct; accepted: condim=\"3\" or more",
-                  said));
+          message("<pair name=\"{}\"> has no friction to correct; set condim=\"3\" or more", said));
     }
     if (std::find(pairs.begin(), pairs.end(), pair) != pairs.end()) {
       refuse(own_element(m, name),
-             message("<pair name=\"{}\"> is named twice and would be corrected twice; accepted: "
-                     "once",
+             message("<pair name=\"{}\"> is named twice and would be corrected twice; name it once",
                      said));
     }
     // MuJoCo treats two <pair>s of the same geoms as two contacts, so a name would be ambiguous.
     if (count_pairs(m, m->pair_geom1[pair], m->pair_geom2[pair]) > 1) {
       refuse(
           own_element(m, name),
-          message("another <pair> has the same two geoms as \"{}\"; accepted: one <pair> for two "
-                  "geoms",
+          message("another <pair> has the same two geoms as \"{}\"; keep one <pair> for two geoms",
                   said));
     }
     check_corrected_pair(m, pair);
@@ -259,7 +256,7 @@ std::optional<double> own_value(const mjModel* m, const std::string& name) {
   const std::optional<OwnNumber> number = own_number(m, name);
   if (!number) return std::nullopt;
   if (number->size == 1) return number->values[0];
-  refuse(own_element(m, name), message("{} numbers; accepted: one", number->size));
+  refuse(own_element(m, name), message("has {} numbers; give one", number->size));
 }
 
 std::string own_element(const mjModel* m, const std::string& name) {
@@ -288,8 +285,8 @@ int own_geom(const mjModel* m, const PairName& pair, const char* text) {
   const int literal = mj_name2id(m, mjOBJ_GEOM, said);
   int id = mj_name2id(m, mjOBJ_GEOM, pair.of(said).c_str());
   if (id >= 0 && literal >= 0 && id != literal && is_numbering(pair.suffix)) {
-    refuse(element, message("both geoms, \"{}\" and \"{}\", exist, so the name is ambiguous; "
-                            "accepted: \"{}\", or a number with no geom that ends with it",
+    refuse(element, message("both geoms, \"{}\" and \"{}\", exist, so the name is ambiguous; write "
+                            "\"{}\", or choose a number with which no geom ends",
                             said, pair.of(said), pair.of(said)));
   }
   if (id < 0) id = literal;
@@ -301,7 +298,7 @@ int own_geom(const mjModel* m, const PairName& pair, const char* text) {
   const int type = m->geom_type[id];
   if (type < mjGEOM_SPHERE || type > mjGEOM_BOX) {
     refuse(message("<geom name=\"{}\">", m->names + m->name_geomadr[id]),
-           "as rotor or ring, accepted types: sphere, capsule, ellipsoid, cylinder, box");
+           "a rotor or ring must be a sphere, capsule, ellipsoid, cylinder or box");
   }
   return id;
 }
@@ -315,11 +312,11 @@ int own_memory(const mjModel* m) {
     const std::string element = own_element(m, name);
     own_value(m, name);  // refuses several numbers
     if (!(value >= 0.0) || value != std::floor(value) || value > 1e9) {
-      refuse(element, message("{}; accepted: an index, 0, 1, 2, ...", value));
+      refuse(element, message("{} must be an index, 0, 1, 2, ...", value));
     }
     if (given && value != memory) {
-      refuse(element, message("{}, but {} elsewhere; accepted: one value in the whole model", value,
-                              memory));
+      refuse(element, message("{} differs from {} elsewhere; give one value in the whole model",
+                              value, memory));
     }
     memory = value;
     given = true;
@@ -333,7 +330,7 @@ scene::ContactModel contact_model(const mjModel* m, const std::string& text_name
   if (!text) return otherwise;
   if (const auto model = scene::contact_model(text)) return *model;
   refuse(own_element(m, text_name),
-         message("\"{}\"; accepted: {}", text,
+         message("\"{}\" is not a contact model; choose from {}", text,
                  scene::join(scene::contact_words<std::vector<std::string_view>>())));
 }
 

@@ -26,7 +26,8 @@ void check_bounce(const mjModel* m, const PairName& name, const ContactPair& p) 
   constexpr double kScatter = 0.03;  // MuJoCo's steps are not more accurate than this
   if (p.contact.tangential_restitution > 0.0) {
     refuse(own_element(m, name.of(names::kOwnTangential)),
-           "contact models coulomb and cone have none; accepted: 0, or contact model rigid");
+           "contact models coulomb and cone have no tangential restitution; set 0, or use contact "
+           "model rigid");
   }
   if (!own_number(m, name.of(names::kOwnRestitution))) return;
   const double wanted = p.contact.restitution;
@@ -37,8 +38,8 @@ void check_bounce(const mjModel* m, const PairName& name, const ContactPair& p) 
   if (std::abs(met - wanted) <= kScatter) return;
   const SoftContact soft = soft_contact(wanted, m->opt.timestep);
   refuse(pair_element(m, p),
-         message("solref bounces with {}, {} is {}; accepted: solref=\"{} {}\" "
-                 "solimp=\"0.9999 0.9999 0.001\"",
+         message("solref bounces with {}, but {} is {}; write solref=\"{} {}\" solimp=\"0.9999 "
+                 "0.9999 0.001\"",
                  met, name.of(names::kOwnRestitution), wanted, -soft.stiffness, -soft.damping));
 }
 
@@ -50,31 +51,28 @@ void check_cone(const mjModel* m, const PairName& name, const ContactPair& p, Re
     if (id < 0 || m->sensor_type[id] != mjSENS_USER || m->sensor_needstage[id] == mjSTAGE_ACC)
       continue;
     refusals.attempt([&] {
-      refuse(
-          message("<user name=\"{}\">", sensor),
-          "contact model cone: the force is found by MuJoCo's solver; accepted: needstage=\"acc\"");
+      refuse(message("<user name=\"{}\">", sensor),
+             "MuJoCo's solver finds the force of contact model cone; set needstage=\"acc\"");
     });
   }
   refusals.attempt([&] {
     if (p.contact.friction.is_constant()) return;
     refuse(own_element(m, name.of(names::kOwnFriction)),
-           "contact models cone and cone-coulomb have one coefficient for all slips; accepted: a "
-           "number, or contact model rigid or coulomb");
+           "contact models cone and cone-coulomb have one coefficient for all slips; give a "
+           "number, or use contact model rigid or coulomb");
   });
   const double mu = p.contact.friction.coefficient, given = m->pair_friction[5 * p.pair];
   refusals.attempt([&] {
     if (m->pair_dim[p.pair] < 3 || std::abs(given - mu) <= 1e-9 + mjMINMU) return;
-    refuse(pair_element(m, p), message("friction is {}, {} is {}; accepted: one value in both",
+    refuse(pair_element(m, p), message("friction is {}, but {} is {}; give one value in both",
                                        given, name.of(names::kOwnFriction), mu));
   });
   const double along = m->pair_friction[5 * p.pair + 1];
   refusals.attempt([&] {
     if (!p.axial || std::abs(along - mu) <= 1e-9 + mjMINMU) return;
-    refuse(
-        pair_element(m, p),
-        message("friction along the axis, the second value, is {}, {} is {}; accepted: one value "
-                "in all three",
-                along, name.of(names::kOwnFriction), mu));
+    refuse(pair_element(m, p), message("friction along the axis, the second value, is {}, but {} "
+                                       "is {}; give one value in all three",
+                                       along, name.of(names::kOwnFriction), mu));
   });
 }
 
@@ -82,12 +80,10 @@ void check_cone(const mjModel* m, const PairName& name, const ContactPair& p, Re
 void refuse_mocap(const mjModel* m, int geom) {
   const int root = m->body_rootid[m->geom_bodyid[geom]];
   if (m->body_mocapid[root] < 0) return;
-  refuse(
-      message("<body name=\"{}\" mocap=\"true\">", m->names + m->name_bodyadr[root]),
-      message(
-          "moves geom \"{}\" of a contact without a velocity; contact model rigid accepts: a body "
-          "with joints, driven by actuators or by a weld to the mocap body",
-          m->names + m->name_geomadr[geom]));
+  refuse(message("<body name=\"{}\" mocap=\"true\">", m->names + m->name_bodyadr[root]),
+         message("moves geom \"{}\" of a contact without a velocity; for contact model rigid use a "
+                 "body with joints, driven by actuators or by a weld to the mocap body",
+                 m->names + m->name_geomadr[geom]));
 }
 
 // `rigid` takes its friction from <custom> alone. If the pair's friction equals that of one of its
@@ -98,7 +94,7 @@ void refuse_other_friction(const mjModel* m, const PairName& name, const Contact
   if (m->pair_dim[p.pair] < 3 || from(p.rotor_geom) || from(p.ring_geom)) return;
   if (std::abs(given - mu) <= 1e-9 + mjMINMU) return;
   refuse(pair_element(m, p),
-         message("friction is {}, {} is {}; accepted: one value in both, or none here", given,
+         message("friction is {}, but {} is {}; give one value in both, or none here", given,
                  name.of(names::kOwnFriction), mu));
 }
 
@@ -132,16 +128,16 @@ void check_solved_part(const mjModel* m, const ContactPair& p, Refusals& refusal
   if (p.contact_model == scene::ContactModel::kRigid) {
     require(gap - m->pair_margin[p.pair] >= 10.0 * p.contact.clearance,
             "gap is too small: with contact model rigid MuJoCo's solver must not see the contact; "
-            "accepted: gap above margin by at least ten clearances");
+            "set gap at least ten clearances above margin");
     return;
   }
   const int condim = m->pair_dim[p.pair];
-  require(gap == 0.0 || p.further, "accepted: gap=\"0\"");
+  require(gap == 0.0 || p.further, "contact models coulomb and cone need gap=\"0\"");
   if (p.contact_model == scene::ContactModel::kCoulomb) {
-    require(condim == 1, "contact model coulomb: accepted: condim=\"1\"");
+    require(condim == 1, "contact model coulomb needs condim=\"1\"");
   } else {
     require(condim >= 3 || !(p.contact.friction.coefficient > 0.0),
-            "contact model cone with friction: accepted: condim=\"3\" or more");
+            "contact model cone with friction needs condim=\"3\" or more");
   }
 }
 
@@ -154,7 +150,7 @@ void check_pair(const mjModel* m, const PairName& name, const ContactPair& p, Re
   }
   check([&] {
     const int pairs = count_pairs(m, p.rotor_geom, p.ring_geom);
-    if (pairs > 1) refuse(element, message("appears {} times; accepted: once", pairs));
+    if (pairs > 1) refuse(element, message("appears {} times; keep one", pairs));
   });
   check([&] { check_surface(m, p); });
   check_solved_part(m, p, refusals);

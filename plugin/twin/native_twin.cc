@@ -170,14 +170,14 @@ class Maker {
     if (!gravity) gravity.emplace().acceleration = weight;
     if ((gravity->acceleration - weight).norm() <= kNegligible * weight.norm()) return;
     refuse(joint_of_dof(m_, planes_.rings[contact].front()),
-           "carries another load for its mass than the first ring's, for a twin; accepted: rings "
-           "that gravity alone loads");
+           "carries another load for its mass than the first ring; a twin needs rings that only "
+           "gravity loads");
   }
 
   void refuse_spring(int turn, const std::string& body) const {
     if (std::abs(machine_.stiffness(turn, turn)) <= kFree * machine_.mass(turn, turn)) return;
     refuse(joint_of_dof(m_, turn),
-           "turns the " + body + " against a spring, for a twin; accepted: stiffness=\"0\"");
+           "turns the " + body + " against a spring; a twin needs stiffness=\"0\"");
   }
 
   // J Omega_r' = -c Omega_r + the contact's torque, and nothing else (scene::RingSpin).
@@ -188,18 +188,16 @@ class Maker {
     if (std::abs(machine_.force[turn]) > kFree * inertia) {
       refuse(joint_of_dof(m_, turn),
              "turns the ring by " + text(machine_.force[turn]) +
-                 " N m at rest, for a twin; accepted: nothing but the rub and a drag");
+                 " N m at rest; in a twin only the rub and a drag may turn it");
     }
     if (m_->dof_frictionloss[turn] > 0.0) {
-      refuse(
-          joint_of_dof(m_, turn),
-          "loses " + text(m_->dof_frictionloss[turn]) +
-              " N m to dry friction as the ring turns, for a twin; accepted: frictionloss=\"0\"");
+      refuse(joint_of_dof(m_, turn),
+             "loses " + text(m_->dof_frictionloss[turn]) +
+                 " N m to dry friction as the ring turns; a twin needs frictionloss=\"0\"");
     }
     if (drag < 0.0 || machine_.contacts[contact].bent_drag > kFree * inertia) {
       refuse(joint_of_dof(m_, turn),
-             "has a drag that is negative or not linear in its speed, for a twin; accepted: a "
-             "damping >= 0");
+             "has a drag that is negative or not linear in its speed; a twin needs a damping >= 0");
     }
     twin_.coordinates(at, turn) = sense;
     twin_.scene.auxiliary[contact].stator->spin = scene::RingSpin{inertia, drag, 0.0};
@@ -332,7 +330,7 @@ NativeTwin make_native_twin(const mjModel* m, const Config& config, const mjData
   for (const ContactPair& pair : config.pairs) {
     if (pair.contact_model == config.contact) continue;
     refuse("<custom>",
-           message("contacts by {} and {}; accepted for a twin: one contact model",
+           message("has contacts by {} and {}; a twin needs one contact model",
                    scene::to_string(config.contact), scene::to_string(pair.contact_model)));
   }
   return Maker(m, config, start).make();

@@ -91,7 +91,7 @@ void refuse_turned_axes(const mjModel* m, int dof, int geom, const std::string& 
   for (int i = 0; i < m->nv; ++i) {
     if ((after - before).col(i).cwiseAbs().maxCoeff() <= kParallel) continue;
     refuse(joint_of_dof(m, dof), "turns the axis of " + joint_of_dof(m, i) +
-                                     ", for a twin; accepted: a hinge after the " + body +
+                                     "; in a twin the hinge must come after the " + body +
                                      "'s other joints");
   }
 }
@@ -102,19 +102,17 @@ AxisJoint find(const mjModel* m, int geom, const std::string& body, Probe& probe
   for (int i = 0; i < m->nv; ++i) {
     if (!turns(j, i)) continue;
     if (m->jnt_type[m->dof_jntid[i]] != mjJNT_HINGE) {
-      refuse(joint_of_dof(m, i),
-             "turns the " + body + ", for a twin; accepted: one hinge about its axis");
+      refuse(joint_of_dof(m, i), "turns the " + body + "; a twin needs one hinge about its axis");
     }
     const double off = j.col(i).head<2>().norm() + j.col(i).segment<2>(3).norm();
     if (off > kParallel) {
       refuse(joint_of_dof(m, i),
              "turns the " + body +
-                 " about another axis than that of the ring's geom through its centre, for a "
-                 "twin; accepted: that axis");
+                 " about another axis than the z axis of the ring's geom; a twin needs that axis");
     }
     if (found.dof >= 0) {
       refuse(joint_of_dof(m, i),
-             "a second joint about the " + body + "'s axis, for a twin; accepted: one");
+             "is a second joint about the " + body + "'s axis; a twin needs one");
     }
     found = {i, j(5, i) > 0.0 ? 1.0 : -1.0};
   }
@@ -130,8 +128,8 @@ AxisJoint find_spin(const mjModel* m, const Config& config, Probe& probe) {
     const AxisJoint other = find(m, pair.rotor_geom, "rotor", probe);
     if (other.dof == spin.dof) continue;
     refuse(joint_of_dof(m, std::max(other.dof, spin.dof)),
-           "turns the rotor of one contact but not of another, for a twin; accepted: one rotor in "
-           "all contacts");
+           "turns the rotor of one contact but not of another; a twin needs one rotor in all "
+           "contacts");
   }
   return spin;
 }
@@ -139,7 +137,7 @@ AxisJoint find_spin(const mjModel* m, const Config& config, Probe& probe) {
 AxisJoint find_ring_turn(const mjModel* m, const ContactPair& pair, Probe& probe) {
   const AxisJoint found = find(m, pair.ring_geom, "ring", probe);
   if (found.dof >= 0 && turns(probe.geom_jacobian(pair.rotor_geom), found.dof)) {
-    refuse(joint_of_dof(m, found.dof), "turns rotor and ring, for a twin; accepted: one of them");
+    refuse(joint_of_dof(m, found.dof), "turns rotor and ring; in a twin a joint turns one of them");
   }
   return found;
 }

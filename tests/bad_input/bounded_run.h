@@ -8,8 +8,8 @@
 namespace rotorub::test {
 
 struct Limits {
-  // Of the processor, so that a busy machine makes no fault; on the clock a program that waits ends
-  // later.
+  // Limits of processor time and of clock time. The first one decides, so that a busy machine
+  // causes no failure; the second one ends a program that only waits.
   int processor_s = 10, clock_s = 90;
   std::size_t memory = std::size_t{6} << 30u;     // bytes of addresses
   std::size_t file_size = std::size_t{1} << 28u;  // bytes

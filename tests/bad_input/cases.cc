@@ -46,7 +46,7 @@ Words operator+(Words words, const Words& more) {
   return words;
 }
 
-// What the shipped scenes are asked for.
+// A command on a shipped scene.
 Command of_scene(Random& random) {
   static const std::vector<Command> all{
       {Words{"run", kScene, "-o", "out"} + kShort, {0, 2, 3}, kScene},

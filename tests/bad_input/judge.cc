@@ -45,7 +45,7 @@ bool has_no_number(const std::string& text) {
   return false;
 }
 
-// What stands in quotes may hold any words; a number never does.
+// The JSON without its strings, which may hold any words that a number may not.
 std::string without_strings(const std::string& json) {
   std::string bare;
   bool inside = false;
@@ -61,7 +61,7 @@ std::string without_strings(const std::string& json) {
   return bare;
 }
 
-// Of an MJCF without the scene's own text.
+// The MJCF without the scene's own text.
 std::string without_custom(const std::string& xml) {
   const std::size_t begin = xml.find("<custom>"), end = xml.find("</custom>");
   return begin < end && end != std::string::npos ? xml.substr(0, begin) + xml.substr(end) : xml;

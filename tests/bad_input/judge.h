@@ -1,4 +1,4 @@
-// What a program may do with bad input.
+// Judges how a program reacts to bad input.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// What users, editors and disks do to a text file of keys and values (TOML), or of rows (CSV).
+// Damages a text file of keys and values (TOML) or of rows (CSV) as users, editors and disks do.
 #pragma once
 
 #include <span>

@@ -1,5 +1,4 @@
-// What may stand in the place of a value: numbers, units, values of other types, codes of
-// terminals.
+// Words in the place of a value: numbers, units, values of other types, terminal codes.
 #pragma once
 
 #include <array>

@@ -20,7 +20,7 @@ void write(const Folder& folder, const std::string& file, const std::string& rul
   folder.write(file, kDrop + rules);
 }
 
-// What `compare --with` reads is what --json prints.
+// `compare --with` reads the output of --json.
 TEST(CliCheck, KeepsItsCasesForAReport) {
   const Folder folder;
   write(folder, "drop.toml",
@@ -52,7 +52,7 @@ TEST(CliCheckLong, TheHardCasesHold) {
   EXPECT_GE(scenes.size(), 25u);
   EXPECT_GT(refused, 0);
   EXPECT_EQ(cases.size(), 6 * scenes.size()) << "every scene on every engine";
-  // What MuJoCo's own cone makes of the whip is shown, and decides nothing.
+  // The whip in MuJoCo's own cone is shown, but it decides nothing.
   const auto cone = std::find_if(cases.begin(), cases.end(), [](const json& c) {
     return c["scene"] == "whip" && c["engine"] == "mujoco-cone";
   });

@@ -23,7 +23,7 @@ TEST(Cli, SaysWhatIsWrongWithAnOptionAndWhatToDo) {
   const Folder folder;
   const std::string drop = shipped("bench_drop");
   const auto said = [&](const std::vector<std::string>& words) { return folder.run(words).err; };
-  const std::string help = "`rotorub help run` lists what is accepted\n";
+  const std::string help = "`rotorub help run` shows the usage\n";
   EXPECT_EQ(said({"run"}), "rotorub run: the argument SCENE is missing. " + help);
   EXPECT_EQ(said({"run", drop, "other.toml"}),
             "rotorub run: other.toml: unexpected argument. " + help);
@@ -191,7 +191,8 @@ TEST(CliRun, TheTableSaysEachFigureOnce) {
   EXPECT_TRUE(contains(out, "least gap"));
 }
 
-// What a rigid impact is worth on the modes kept, and where the whirl outruns them.
+// The summary states the effective mass of the modes that are kept, and warns where the whirl is
+// faster than they are.
 TEST(CliRun, SummarySaysWhatTheModesAreWorth) {
   const Folder folder;
   const auto summary = [&](const std::string& scene, const std::vector<std::string>& more) {

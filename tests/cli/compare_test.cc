@@ -96,13 +96,13 @@ TEST(CliCompare, LeavesSeriesJsonAndReport) {
   }
   const json compared = folder.json_in("out/compare.json");
   EXPECT_EQ(compared.at("scenes").size(), 2U);
-  // What the metrics are stands beside them.
+  // The metrics are documented beside their values.
   for (const json& key : folder.json_in("out/columns.json").at("compare.json runs.*.metrics")) {
     json value = compared.at("scenes")[0].at("runs").at("native").at("metrics");
     std::istringstream path(key.at("name").get<std::string>());
     for (std::string part; std::getline(path, part, '.');) value = json(value).at(part);
   }
-  // What nobody measured is nowhere.
+  // Without a measured record the key is null.
   EXPECT_TRUE(compared.at("scenes")[0].at("measured").is_null());
   const std::string page = folder.text("out/report.html");
   EXPECT_TRUE(contains(page, "bench_drop"));

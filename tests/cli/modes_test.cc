@@ -19,7 +19,8 @@ TEST(CliModesPage, IsOneWholeFile) {
   EXPECT_TRUE(contains(page, "\"shapes\":{"));
 }
 
-// What an impact meets: in the table and in the JSON, and as few modes as a tolerance allows.
+// The effective mass at the contact stands in the table and in the JSON, with as few modes as a
+// tolerance allows.
 TEST(CliModes, SaysWhatAnImpactMeets) {
   const Folder folder;
   const std::string rig = shipped("paper_passive");

@@ -37,7 +37,7 @@ inline std::string read_text(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// What is otherwise than in the test's own process.
+// The differences between the program's surroundings and those of the test's own process.
 struct Surroundings {
   std::vector<std::pair<std::string, std::string>> environment;  // variables set beside the own
   std::string out = "standard_output";                           // file of standard output

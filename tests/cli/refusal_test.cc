@@ -1,5 +1,5 @@
-// What cannot be done is refused beforehand: exit code 2, nothing written, and a message that says
-// where in which file.
+// Impossible requests are refused beforehand: exit code 2, nothing written, and a message that
+// names the place in the file.
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ TEST(CliRefusal, OfMoreStepsThanCanBeDone) {
     for (const std::string value :
          {"run.end=1e14", "run.end=1e50", "run.step=1e-20", "run.step=1e-308"}) {
       expect_refused(folder, with({"run", drop, "--set", value}, engine),
-                     {"run.step: ", " steps of ", "at most 1e+10 steps"});
+                     {"run.step: ", " steps of ", "the limit is 1e+10 steps"});
     }
   }
 }
@@ -66,7 +66,8 @@ const std::map<std::string, Arguments> kGivenAModel{
     {"tune", {"own.xml"}},
     {"identify", {"own.xml", "--measured", "own.xml", "--fit", "contact.friction=0.1:0.2"}}};
 
-// What a newcomer gives in the place of a scene or of a library: told what to give instead.
+// A newcomer who gives a model in the place of a scene or of a library is told what to give
+// instead.
 TEST(CliRefusal, OfAModelSaysWhatToGiveInEveryCommand) {
   const Folder folder;
   std::ofstream(folder.path() / "own.xml") << "<!-- mine -->\n<mujoco/>\n";
@@ -116,7 +117,7 @@ TEST(CliRefusal, OfMoreSamplesThanCanBeTaken) {
         folder,
         with({"run", shipped("paper_sliding_sampled"), "--set", "controller.sample_time=1e-18"},
              engine),
-        {"--set: controller.sample_time: ", " samples to run.end", "at most 1e+10 samples"});
+        {"--set: controller.sample_time: ", " samples to run.end", "the limit is 1e+10 samples"});
   }
 }
 
@@ -181,6 +182,9 @@ TEST(CliRefusal, NamesWhatWasWritten) {
       folder.run({"run", drop, "--end", "1ms", "--set", "gravity=none", "-q", "-o", "o"}).code, 0);
   expect_refused(folder, {"compare", "nofile.xml"},
                  {"nofile.xml: cannot be read: No such file or directory"});
+  std::string misspelt = drop;
+  misspelt.replace(misspelt.rfind("drop"), 4, "dorp");
+  expect_refused(folder, {"run", misspelt}, {"cannot be read", "did you mean bench_drop.toml?"});
   const Outcome friction = folder.run({"init", "--friction", "x"});
   EXPECT_TRUE(contains(friction.err,
                        "expected a pure number, 0 or from 1e-06 to 1e+06, for example \"0.15\""));

@@ -21,7 +21,7 @@ TEST(CliShadow, MujocoRunsWriteItsFiles) {
   for (const char* file : {"series.csv", "impacts.csv", "events.csv", "keyphasor.csv"}) {
     EXPECT_TRUE(folder.has(std::string("out/shadow/") + file)) << file;
   }
-  // What a native run writes.
+  // Files of a native run.
   folder.done({"run", shipped("bench_ring"), "--integrator", "verlet", "--end", "20ms", "--quiet",
                "-o", "native"});
   EXPECT_EQ(folder.text("out/shadow/series.csv"), folder.text("native/series.csv"));

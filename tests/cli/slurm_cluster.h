@@ -80,7 +80,7 @@ class SlurmCluster {
                [&] { return command("sinfo -h -o %t").find("idle") != std::string::npos; });
   }
 
-  // What programs need to find it.
+  // The environment in which programs find the cluster.
   Surroundings surroundings() const {
     Surroundings s;
     s.environment.emplace_back("SLURM_CONF", conf());
@@ -124,7 +124,7 @@ class SlurmCluster {
   }
   static std::string user_name() { return getpwuid(geteuid())->pw_name; }
 
-  // Of a port that nobody has now.
+  // The number of a port that is free now.
   static std::string free_port() {
     const int socket_ = socket(AF_INET, SOCK_STREAM, 0);
     sockaddr_in address{};

@@ -1,4 +1,4 @@
-// What the program says of names and numbers as a user wrote them.
+// The program repeats names and numbers as the user wrote them.
 #include <fstream>
 
 #include "tests/cli/program.h"

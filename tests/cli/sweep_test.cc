@@ -110,7 +110,7 @@ TEST(Sweep, TakesPointsFromAFile) {
   const std::vector<std::string> bad{"sweep", "study.toml", "-o", "bad"};
   folder.refuses(bad, {"the line has 1 fields, but the header has 2"});
   folder.write("points.csv", "mu,clearance\n0.1,5e-4\n0.3,much\n");
-  folder.refuses(bad, {"no column `friction`; accepted: mu, clearance", "points.csv:3:"});
+  folder.refuses(bad, {"no column `friction`; choose from mu, clearance", "points.csv:3:"});
 }
 
 TEST(Sweep, DoesNotDependOnTheThreads) {

@@ -34,7 +34,7 @@ TEST(CliTune, FindsASettingWhoseOwnComparisonPasses) {
                                       "--no-video", "--quiet", "-o", "out"});
 }
 
-// What tune says of a setting, compare says of the scene that has it.
+// `tune` and `compare` judge a setting alike.
 TEST(CliTune, JudgesAsCompareDoes) {
   const Folder folder;
   const std::vector<std::string> shared{shipped("bench_ring"), "--end", "50ms", "--twins", "0"};

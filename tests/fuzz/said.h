@@ -1,4 +1,4 @@
-// What a refusal may say; ends the program at anything else, as a fuzzer expects it.
+// Checks the text of a refusal and ends the program if it is not allowed, as a fuzzer expects it.
 #pragma once
 
 #include <cstdlib>

@@ -29,7 +29,8 @@ constexpr double kLink = 1e-12;
 
 class Writer : public MujocoTest {};
 class ShippedScene : public MujocoTest, public ::testing::WithParamInterface<std::string> {};
-// Those whose rotor is the native model's own coordinates there, and not segments.
+// The shipped scenes whose rotor has the native model's own coordinates in MuJoCo, and not
+// segments.
 class ShippedChain : public ShippedScene {};
 std::vector<std::string> shipped_chains() {
   std::vector<std::string> names = shipped_names();
@@ -73,7 +74,7 @@ TEST_P(ShippedChain, HasTheNativeModelsMassesStiffnessesAndStart) {
   }
 }
 
-// What `shadow` adds: sensors, ghosts that do not collide, memory; nothing that moves.
+// `shadow` adds sensors, ghosts that do not collide and memory, but nothing that moves.
 TEST_P(ShippedChain, ShadowAddsSensorsAndGhosts) {
   const ModelPointer without = load(mjcf(shipped(GetParam())));
   if (shipped(GetParam()).is_compliant()) {  // the shadow's contact is rigid
@@ -243,7 +244,7 @@ TEST_F(Writer, AConesStiffnessIsOfTheSpeedAtItsOwnContact) {
   EXPECT_NEAR(other_most / most, 1.0, 1e-6);
 }
 
-// The one line that `scene` is refused with.
+// The line that refuses `scene`.
 std::string refusal(const scene::Scene& scene) {
   return message_of<scene::SceneError>([&] { mjcf(scene); });
 }

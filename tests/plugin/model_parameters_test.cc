@@ -202,7 +202,7 @@ TEST_F(ModelParameters, WhatNoLongerCarriesTheModesIsRefusedAtLoad) {
   expect("name=\"actuator_1\" tendon=\"axis_1\"",
          "name=\"actuator_1\" gear=\"2\" tendon=\"axis_1\"", "gear");
   expect("name=\"actuator_1\" tendon=\"axis_1\"", "name=\"actuator_1\" tendon=\"axis_2\"",
-         "accepted: tendon=\"axis_1\"");
+         "needs tendon=\"axis_1\"");
   expect("<joint joint=\"ring_x\" coef=\"-0.70", "<joint joint=\"ring_x\" coef=\"0.70",
          "<fixed name=\"axis_2\">");
   expect("mass=\"1e-12\"", "mass=\"0.3\"", "[[rotor.disc]]");

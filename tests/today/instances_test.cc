@@ -191,19 +191,19 @@ TEST_F(Instances, AreCheckedWhenTheModelIsLoaded) {
   for (const char* value : {"0.5 mm", "5e-4 5e-4", "wide", "nan", "1e999"}) {
     const std::string said = std::string("<config key=\"clearance\" value=\"") + value + "\"/>";
     expect_refused(changed(clearance, said),
-                   named + "\"" + value + "\"; accepted: a number without a unit");
+                   named + "\"" + value + "\" must be a number without a unit");
   }
   expect_refused(changed(clearance, "<config key=\"clearance\" value=\"-1\"/>"),
-                 named + "-1; accepted: > 0");
+                 named + "-1 must be > 0");
   expect_refused(changed(clearance, ""), named + "missing");
   expect_refused(changed("value=\"disc\"", "value=\"disk\""), "did you mean \"disc\"?");
   expect_refused(replaced(changed("name=\"contact_2\"", "name=\"far\""), "instance=\"contact_2\"",
                           "instance=\"far\""),
                  "<instance name=\"far\">: its name determines the contact");
   expect_refused(changed("<plugin instance=\"contact\"/>", ""),
-                 "<instance name=\"contact\">: no body has it; accepted: <plugin instance=");
+                 "<instance name=\"contact\">: no body refers to it; put <plugin instance=");
   expect_refused(changed("value=\"rigid\"", "value=\"stiff\""),
-                 "<config key=\"contact\">: \"stiff\"; accepted: ");
+                 "<config key=\"contact\">: \"stiff\" is not a contact model; choose from ");
   expect_refused(changed("<config key=\"ring_geom\" value=\"ring\"/>", ""),
                  "<config key=\"ring_geom\">: missing");
 }
@@ -215,7 +215,7 @@ TEST_F(Instances, StandAlone) {
                     body, body + "<plugin instance=\"contact\"/>");
   };
   expect_refused(with_instance(document(Machine{}), "<body name=\"shaft\">"),
-                 "rotorub_friction is in <custom> too; accepted: one of them");
+                 "rotorub_friction is in <custom> too; remove one of them");
   expect_refused(with_instance(mjcf(shipped("bench_ring"), built_for()), "<body name=\"rotor\">"),
                  "<extension>: has a contact beside the contact of the scene's text");
 }

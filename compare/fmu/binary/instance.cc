@@ -70,8 +70,8 @@ bool Instance::begin_anew() {
 }
 
 Status Instance::enter_initialization(double start, bool has_stop, double stop) {
-  if (start != 0.0) return refuse("a scene begins at t = 0; accepted start time: 0");
-  if (has_stop && !(stop > 0.0)) return refuse("accepted stop time: above 0");
+  if (start != 0.0) return refuse("a scene begins at t = 0; set the start time to 0");
+  if (has_stop && !(stop > 0.0)) return refuse("the stop time must be above 0");
   if (has_stop) stop_ = stop;
   initializing_ = true;
   return begin_anew() ? kOK : refuse(run_.message());
@@ -94,7 +94,7 @@ Status Instance::reset() {
 Status Instance::do_step(double from, double length, bool events) {
   if (initializing_) return refuse("initialization has not been left");
   constexpr double kSame = 1e-9;  // relative to the step
-  if (!(length > 0.0)) return refuse("accepted communication step: above 0");
+  if (!(length > 0.0)) return refuse("the communication step must be above 0");
   if (std::abs(from - run_.time()) > kSame * length)
     return refuse("a step from t = " + std::to_string(from) +
                   " s is asked for, and the plant is at t = " + std::to_string(run_.time()) + " s");

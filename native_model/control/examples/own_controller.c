@@ -58,9 +58,8 @@ static int create(const rotorub_setup* setup, void** self, char* reason, size_t 
     while (k < count && strcmp(setup->config[i].key, keys[k].key) != 0) ++k;
     if (k == count || setup->config[i].text != NULL) {
       snprintf(reason, room,
-               "%s: accepted are the numbers stiffness, damping, integral, bandwidth, gap_time, "
-               "preload, "
-               "ring_damping",
+               "%s: unknown key; give the numbers stiffness, damping, integral, bandwidth, "
+               "gap_time, preload and ring_damping",
                setup->config[i].key);
       free(l);
       return 1;

@@ -235,11 +235,11 @@ static int step(const void* self, const rotorub_measurement* now, double* state,
                        ? PyObject_CallFunctionObjArgs(l->step, l->law, shown, view, NULL)
                        : NULL;
   if (told != NULL && !PyTuple_Check(told)) {
-    PyErr_Format(PyExc_TypeError, "step() returns %.100s; accepted are two numbers, ux and uy",
+    PyErr_Format(PyExc_TypeError, "step() returns %.100s; return two numbers, ux and uy",
                  Py_TYPE(told)->tp_name);
     Py_CLEAR(told);
   } else if (told != NULL && PyTuple_Size(told) != 2) {
-    PyErr_Format(PyExc_TypeError, "step() returns %zd numbers; accepted are two, ux and uy",
+    PyErr_Format(PyExc_TypeError, "step() returns %zd numbers; return two, ux and uy",
                  PyTuple_Size(told));
     Py_CLEAR(told);
   }

@@ -110,7 +110,7 @@ class OdeStepper final : public Stepper {
     c.fdir1[1] = n[0];
     if (!system_.spin_is_free) {
       c.surface.mode |= dContactMotion1;
-      // What the joint drives e_t . (v_rotor - v_ring) to: the disc's surface moves on at r Omega.
+      // Target of the joint for e_t . (v_rotor - v_ring): the disc's surface moves on at r Omega.
       c.surface.motion1 = -system_.radius * system_.speed;
     }
     c.geom.normal[0] = -n[0];

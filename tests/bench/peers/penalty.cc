@@ -146,7 +146,7 @@ class ImplicitMidpoint final : public PenaltyStepper {
       const Pair& n = g.normal;
       ratio = -s.friction * std::tanh(g.slip / parameters_.smoothing_speed);
       u = {-n[0] - ratio * n[1], -n[1] + ratio * n[0]};
-      // Of the gap rate to N.
+      // Gap rate in m/s per N of normal force.
       double rate = 0.0;
       for (std::size_t k = 0; k < 2; ++k) {
         rate -= half * n[k] * u[k] / weight(s.rotor, k);

@@ -1,8 +1,8 @@
-// What a peer is given: a rotor of one mode in each plane, its ring and its spin, as numbers. Plain
-// data without a library of ours behind it, so that a peer can be a module of its own.
+// The system that a peer receives: a rotor of one mode in each plane, its ring and its spin, as
+// numbers. Plain data that needs none of our libraries, so that a peer can be a separate module.
 //
 //   m_i x_i'' + d_i x_i' + k_i x_i = F_i(t) + contact_i      rotor, i = 1, 2 (x, y)
-//   M_i s_i'' + D_i s_i' + K_i s_i =        - contact_i      ring; not there: fixed
+//   M_i s_i'' + D_i s_i' + K_i s_i =        - contact_i      ring; absent: fixed
 //   J phi''  = gain (speed_d - phi') + r lambda_T            spin; held: phi' = speed
 #pragma once
 

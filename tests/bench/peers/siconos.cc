@@ -21,7 +21,7 @@ namespace rotorub::peers {
 namespace {
 
 constexpr double kHeld = 1e9;  // kg m^2
-// Of the solver of the 2x2 problem; the problems are so small that it costs nothing.
+// Tolerance of the solver of the 2x2 problem; the problems are so small that it costs nothing.
 constexpr double kSolverTolerance = 1e-13;
 
 SP::SiconosVector vector_of(std::initializer_list<double> values) {

@@ -23,8 +23,9 @@ class Stepper {
   virtual const char* message() const = 0;
 };
 
-// What a module exports as `rotorub_peer`: the version of its solver and how to make one. Returns
-// null where the solver cannot hold the system. Deleted by the caller.
+// The interface that a module exports as `rotorub_peer`: the version of its solver, and a function
+// that makes one. It returns null if the solver cannot represent the system. The caller deletes the
+// solver.
 struct ModuleInterface {
   const char* version;
   Stepper* (*make)(const PlanarSystem& system, double step);

@@ -1,4 +1,4 @@
-// What a bench is written as: JSON, terminal table, page.
+// The outputs of a bench: JSON, terminal table, page.
 #include <gtest/gtest.h>
 
 #include <limits>

@@ -234,7 +234,7 @@ TEST(Interleaved, TakesTheJobsInTurns) {
   EXPECT_EQ(times[1].median, 3.5);
 }
 
-// What takes long is repeated less often, but not so seldom that a median means nothing.
+// Slow jobs are repeated less often, but often enough for a median.
 TEST(Interleaved, SlowJobsAreRepeatedLess) {
   const TimingParameters parameters{20, 5, 20.0};
   EXPECT_EQ(repeats_of(1e-3, parameters), 20);

@@ -35,8 +35,8 @@ TEST(Rig, EventIsFastestDownToEngineeringErrors) {
   }
 }
 
-// What the step bound of the law is worth: at 1e-4 of the clearance its quickest setting is not the
-// soft one that stands first.
+// The step bound of the law pays: at 1e-4 of the clearance its fastest setting is not the soft one
+// that stands first.
 TEST(Penalty, IsQuickerAtItsStepBound) {
   const SceneBench bench = coarse_bench("bench_annular_rigid", "native-event,penalty");
   const Level& level = bench.levels[2];

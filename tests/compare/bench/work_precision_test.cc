@@ -43,7 +43,7 @@ TEST(Series, GatherWhatDiffersInStepOrToleranceAlone) {
   EXPECT_EQ(all[3].us_per_step, 0.0) << "never timed";
 }
 
-// What round-off or the reference itself made of an error does not spoil the order.
+// An error that consists of round-off or of the reference's own error does not spoil the order.
 TEST(Series, OrderLeavesOutWhatLiesAtTheFloor) {
   std::vector<Point> points;
   for (const double h : {1e-4, 1e-5, 1e-6, 1e-7}) {
@@ -109,7 +109,7 @@ TEST(Levels, TakeTheFastestPointWithinTheLevel) {
   EXPECT_NE(verdict.find("settings but not at 1e-02"), std::string::npos) << verdict;
 }
 
-// What is finer than 1e-5 of the clearance is listed, and is no headline.
+// A level finer than 1e-5 of the clearance is listed but is not the headline.
 TEST(Levels, TheHeadlineStopsAtEngineering) {
   const std::vector<Point> points{made_point("native-verlet", 1e-6, 9e-12, 5e-2),
                                   made_point("ode", 1e-5, 9e-10, 2e-3),

@@ -1,4 +1,4 @@
-// What rules measure, on trajectories written by hand.
+// The metrics of rules, on trajectories written by hand.
 #include "compare/check/metric.h"
 
 #include <gtest/gtest.h>
@@ -70,7 +70,7 @@ TEST(CheckMetric, RefusesWhatIsNotThereWithWhatIs) {
     EXPECT_EQ(said(good), "") << good;
   }
   EXPECT_NE(said("energy").find("energy_residual"), std::string::npos);
-  EXPECT_NE(said("status").find("accepted"), std::string::npos) << "a word, and no number";
+  EXPECT_NE(said("status").find("choose from"), std::string::npos) << "a word, and no number";
   EXPECT_NE(said("residual.cones").find("cone"), std::string::npos);
   EXPECT_NE(said("count.hit").find("count.impact"), std::string::npos);
   EXPECT_THROW(measure("end.torsion_1", in_a_ring(), line(3, 0.1, 0.0), nullptr), NoSuchMetric);

@@ -1,5 +1,5 @@
-// What a terminal is told: progress that fits it, colours that only colour, commands that are
-// nearly right.
+// Output on a terminal: progress that fits its width, colours that only colour, help for misspelt
+// commands.
 #include <gtest/gtest.h>
 
 #include "compare/base/palette.h"

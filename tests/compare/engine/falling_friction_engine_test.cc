@@ -34,7 +34,7 @@ TEST(FallingFrictionInMujoco, ConeHasOneCoefficient) {
     std::vector<std::string> overrides = kFalling;
     overrides.push_back(std::string("mujoco.contact=") + model);
     EXPECT_TRUE(contains(message_of([&] { mjcf(shipped("bench_ring", overrides)); }),
-                         "contact model rigid or coulomb"));
+                         R"(mujoco.contact = "rigid" or "coulomb")"));
   }
 }
 

@@ -146,7 +146,8 @@ TEST(MujocoEngine, TheBalanceOfAFreeRunFallsWithTheSquareOfTheStepAndDoesNotGrow
   }
 }
 
-// What a native step's impacts and sampled commands do is what they do natively.
+// Impacts and sampled commands of a native step in MuJoCo have the same balance as in the native
+// run.
 TEST(MujocoEngine, TheBalanceOfRigidIsThatOfVerlet) {
   const std::vector<std::string> finite = {"contact.compression_time=1e-3",
                                            "contact.expansion_time=5e-4", "run.end=0.1"};

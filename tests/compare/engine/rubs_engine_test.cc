@@ -23,7 +23,7 @@
 namespace rotorub::test {
 namespace {
 
-// Of the last fifth of a run, every step of it.
+// Figures of the last fifth of a run, from every step.
 struct Rubbing {
   double mean = 0.0, scatter = 0.0;  // N
   double contact = 0.0;              // share of the rows

@@ -13,8 +13,8 @@
 namespace rotorub::test {
 namespace {
 
-// Of little friction, the rig's rub settles. The modes that the native side keeps are as many as
-// matter at its impacts.
+// With little friction the rig's rub settles. The native side keeps as many modes as matter at its
+// impacts.
 scene::Scene rub(int segments, const std::vector<std::string>& more = {}) {
   std::vector<std::string> overrides = {
       "mujoco={rotor=\"segments\", segments=" + std::to_string(segments) + "}",

@@ -1,6 +1,6 @@
-// What stands behind the native model and MuJoCo's contact models: pair by pair, what the two
-// share, and how far apart they are. Agreement of two that share a part says nothing of that part.
-// Printed as the table of compare/docs/findings.md by
+// The evidence for the native model and MuJoCo's contact models: for each pair of methods, the
+// parts that they share and their difference. Agreement of two methods that share a part is no
+// evidence for that part. The table of compare/docs/findings.md is printed by
 //
 //   build/bin/test_compare_evidence --gtest_brief=1
 #include <gtest/gtest.h>

@@ -56,7 +56,7 @@ ReadScene scene_with(const std::vector<std::string>& always = {}) {
   };
 }
 
-// What sensors saw of a machine with these values.
+// The record of a machine with these values.
 MeasuredRecord record_with(const std::vector<std::string>& machine, const test::Sensors& sensors) {
   return test::record_of(test::run_at(scene_with(machine)({}), test::instants(sensors)), sensors);
 }
@@ -126,8 +126,8 @@ TEST(IdentifyNightly, StatesTheErrorsThatNoiseMakes) {
   EXPECT_GE(inside, 69) << "of 80, of which 76 are expected";
 }
 
-// What is left before and after is one measure: a machine that is the scene as it stands leaves no
-// less before the fit than after it, whatever part of the record lies on the run.
+// The residual before and after the fit is one measure: a machine that equals the scene has no
+// smaller residual before the fit than after it, whatever part of the record lies on the run.
 TEST(Identify, LeavesNoMoreThanTheSceneAsItStood) {
   for (const double noise : {2e-6, 20e-6}) {
     const Result r = identify(scene_with({"run.end=0.04"}), record_with({}, sensors(4, noise)),
@@ -163,7 +163,7 @@ TEST(Identify, FindsTheStiffnessOfAContact) {
   EXPECT_LT(r.found[0].error.value(), 0.05 * 3.3e6);
 }
 
-// What nothing depends on has no error, and what lies beyond its range says so.
+// A value on which nothing depends has no error, and a value beyond its range is marked.
 TEST(Identify, SaysWhatTheRecordDoesNotTell) {
   const MeasuredRecord record = record_with({"contact.friction=0.3"}, sensors(5));
   const Result r = identify(

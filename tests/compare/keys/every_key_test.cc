@@ -50,8 +50,8 @@ const std::map<std::string, std::string>& without_effect() {
   return reasons;
 }
 
-// Of the impact laws of rigid bodies. MuJoCo's soft contacts have none: how long they take and what
-// they do to the slip follows from their stiffness and damping.
+// Keys of the impact laws of rigid bodies. MuJoCo's soft contacts have no such laws: their duration
+// and their effect on the slip follow from stiffness and damping.
 const std::set<std::string>& of_rigid_impacts() {
   static const std::set<std::string> keys{"contact.compression_time", "contact.expansion_time",
                                           "contact.tangential_restitution"};
@@ -153,7 +153,7 @@ class Host {
     return all;
   }
 
-  // What stands at "force[1].amplitude"; null: nothing.
+  // The value at a path such as "force[1].amplitude"; null if there is no value.
   const scene::TomlNode* at(std::string_view path) const {
     const scene::TomlNode* node = &tree_;
     while (node != nullptr && !path.empty()) {
@@ -237,7 +237,7 @@ class EveryKey : public ::testing::TestWithParam<std::string> {
     const auto after = run(engines()[engine], other);
     return after && differ(*before, *after);
   }
-  // What MuJoCo alone has may be of one contact model.
+  // A key that only MuJoCo reads may concern one contact model.
   static bool matters_to_mujoco(Host& host, const scene::Scene& other) {
     for (std::size_t e = 0; e < engines().size(); ++e) {
       if (engines()[e].is_mujoco && matters(host, other, e)) return true;

@@ -52,7 +52,7 @@ inline std::vector<KeyScene> key_scenes() {
          sampled + "}"});
   modal("lqr", {"controller={kind='lqr'," + sampled + "}"});
   modal("lqg", {"controller={kind='lqg'," + sampled + "}"});
-  // Of a rotor in magnetic bearings whose feedbacks remember.
+  // Key scene of a rotor in magnetic bearings whose feedbacks have a memory.
   modal("lqr, amplifier",
         {"controller={kind='lqr'," + sampled + "}",
          "magnetic_bearing={negative_stiffness=3e4,amplifier={bandwidth=8000.0},control={force_per_"

@@ -47,7 +47,7 @@ struct Seen {
   double gain = 1.0, noise = 0.0;
 };
 
-// What sensors saw of it, 420 us apart.
+// A record of it, with samples 420 us apart.
 MeasuredRecord sensed(const Place& place, const Seen& seen) {
   std::mt19937 bits(3);
   std::normal_distribution<double> normal(0.0, 1.0);
@@ -83,7 +83,7 @@ TEST(AlignmentChoice, ARunShorterThanItsRecordIsFoundInAnyFrame) {
   }
 }
 
-// What the run does not tell apart but for noise stays untold, whatever the frame.
+// A frame that the run determines only through noise stays undetermined.
 TEST(AlignmentChoice, ACircleInNoiseStaysACircle) {
   const Trajectory run = run_of(small_circle, 0.15);
   for (const double angle : {0.0, 70.0}) {

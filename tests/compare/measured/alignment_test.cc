@@ -37,7 +37,7 @@ const Trajectory& native() {
   return run;
 }
 
-// What sensors see: rows of the reference integrator at the instants themselves, exact.
+// Exact samples: rows of the reference integrator at the sampling times themselves.
 const Trajectory& seen(const Sensors& sensors) {
   static std::map<std::pair<double, double>, Trajectory> known;
   auto& run = known[{sensors.rate, sensors.from}];
@@ -127,8 +127,7 @@ TEST(Alignment, StatesTheErrorThatAWrongModelMakes) {
   EXPECT_GT(most, 0.1) << "something is off";
 }
 
-// What is beyond the limit is left out, and does not pull: with the clipped samples in, the fit is
-// off by more.
+// Clipped samples are left out and do not pull the fit, which would be off by more with them.
 TEST(Alignment, ClippedSamplesDoNotPull) {
   Sensors sensors;
   sensors.shift = -2.2e-3;

@@ -262,7 +262,7 @@ void collect_keys(const nlohmann::json& object, const std::string& prefix,
   }
 }
 
-// What stands in compare.json is documented, and what is documented stands there, or may.
+// Every key of compare.json is documented, and every documented key occurs or may occur.
 TEST(MeasuredRun, KeysAreDocumented) {
   const scene::Scene scene = short_rig();
   const Trajectory run = run_event(scene);

@@ -22,7 +22,7 @@ const Trajectory& passive_run() {
   return run;
 }
 
-// What right sensors saw of its rotor and ring, in a frame turned by `angle`.
+// The record of correctly mounted sensors of its rotor and ring, in a frame turned by `angle`.
 MeasuredRecord right_record(double angle) {
   MeasuredRecord record = record_of(passive_run(), {.rate = 50e3, .shift = -0.7, .angle = angle});
   std::erase_if(record.columns,
@@ -61,7 +61,7 @@ std::pair<double, double> directions(const std::string& text) {
   return {first * std::numbers::pi / 180.0, second * std::numbers::pi / 180.0};
 }
 
-// What the message says to do lays it in.
+// The remedy that the message names aligns the record.
 void expect_remedy(MeasuredRecord record, const std::string& reason) {
   const auto [first, second] = directions(reason);
   resolve_probes(record, first, second);

@@ -24,7 +24,7 @@ struct Place {
 };
 Place place_at(int k) { return {3e-4 * std::cos(0.3 * k), 2e-4 * std::sin(0.3 * k + 0.4)}; }
 
-// What two probes along these directions see, in mil, under names of a data logger.
+// The signals of two probes along these directions, in mil, under names of a data logger.
 std::string logged(double first, double second) {
   std::string text = "Time (ms);CH1 Probe [mils];CH2 Probe;Phase mark\n";
   for (int k = 0; k < 64; ++k) {
@@ -88,7 +88,7 @@ TEST(Probes, GiveThePlaceAlongXAndY) {
   }
 }
 
-// What one probe does not see the place has along neither axis.
+// Where one probe has no sample, the position is unknown along both axes.
 TEST(Probes, AHoleOfOneIsAHoleOfBoth) {
   MeasuredRecord record =
       parse_measured(logged(45.0 * kDegree, 135.0 * kDegree), "log.csv", kNames);

@@ -33,7 +33,7 @@ MeasuredRecord record_of(const char* name, std::size_t count,
   return record;
 }
 
-// Of its instants, those at which this is so.
+// The number of instants at which this is true.
 std::size_t count(std::size_t instants, const std::function<bool(double)>& is) {
   std::size_t sum = 0;
   for (std::size_t k = 0; k < instants; ++k) sum += is(static_cast<double>(k) / 20e3) ? 1 : 0;

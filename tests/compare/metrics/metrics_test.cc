@@ -77,7 +77,7 @@ TEST(DeepestPenetration, IsThatOfTheContactItIsDeepestFor) {
   EXPECT_EQ(other.share, deepest.share);
 }
 
-// What a fixed step sees of the gap is at its ends: an impact within it is a gap of 0.
+// A fixed step sees the gap only at its ends, so an impact within it counts as a gap of 0.
 TEST(Metrics, TheLeastGapOfATouchIsNone) {
   Trajectory t = half_touched();
   EXPECT_FALSE(metrics(t, {kFacts}).least_gap) << "no [contact] told a gap";

@@ -14,7 +14,7 @@
 namespace rotorub {
 namespace {
 
-// What figures tend to over the modes: sequences of known limit, and chance.
+// Limits of figures over the modes: sequences of known limit, and chance.
 
 constexpr double kPercent = 0.01;
 const std::vector<int> kModes{12, 16, 20, 24};

@@ -1,4 +1,4 @@
-// What a twin leaves out of its machine, measured: each size has a closed form.
+// The effects that a twin leaves out of its machine are measured: each size has a closed form.
 #include "compare/own/omissions.h"
 
 #include <gtest/gtest.h>

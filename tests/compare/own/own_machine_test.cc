@@ -110,7 +110,8 @@ TEST(OwnMachine, SaysAllThatIsWrongAtOnce) {
   text = test::replaced(text, "nuserdata=\"32\"", "nuserdata=\"2\"");
   text = test::replaced(text, "gap=\"1\"", "gap=\"0\"");
   EXPECT_TRUE(contains(refusal_of("more", text),
-                       {"nuserdata", "gap above margin", "<keyframe>", "data=\"rigid\""}));
+                       {"nuserdata", "set gap at least ten clearances above margin", "<keyframe>",
+                        "data=\"rigid\""}));
 }
 
 TEST(OwnMachine, NamesItsMujocoForAWordThatItDoesNotKnow) {

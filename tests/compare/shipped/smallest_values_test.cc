@@ -115,7 +115,8 @@ TEST_P(LongSmallestValues, RunAlikeOrSayWhyNot) {
     }
     const auto ended = [&](std::size_t i) { return runs[i] && runs[i]->status == Status::kOk; };
     const double clearance = scene->first().contact->clearance;
-    // Of two starts that differ by some units in the last place: beyond it nobody can follow.
+    // Difference of two starts that differ by some units in the last place: no method can follow
+    // the motion beyond it.
     const auto scatter = [&](std::size_t i) {
       return rotor_error(*runs[i], *run(all_engines[i], GetParam(), overrides, 8));
     };

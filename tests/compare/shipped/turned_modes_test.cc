@@ -1,5 +1,5 @@
-// What `modes` says of every shipped scene does not depend on the axes that the scene is written
-// in.
+// The results of `modes` for every shipped scene do not depend on the axes in which the scene is
+// written.
 #include <gtest/gtest.h>
 
 #include <cmath>

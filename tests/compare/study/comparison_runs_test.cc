@@ -71,7 +71,7 @@ struct Climbed {
     return m;
   }
   bool needs() const { return needs_quarter(side, half, test); }
-  // Of the mean force.
+  // The extrapolated mean force.
   Extrapolation limit(double quarter = 0.0) {
     Ladder ladder;
     ladder[1] = half;

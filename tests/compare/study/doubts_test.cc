@@ -17,7 +17,7 @@ scene::Scene scene_with(const std::string& speed, const std::string& contact) {
       "made.toml");
 }
 
-// What is doubted, where it is one thing.
+// The only doubt in a list of one.
 std::string only(const std::vector<std::string>& all) {
   EXPECT_EQ(all.size(), 1U);
   return all.empty() ? "" : all.front();

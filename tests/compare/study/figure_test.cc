@@ -77,7 +77,7 @@ TEST(Format, WordsAreWrapped) {
   // Indented less than the lead is long: the first word too goes where there is room for it.
   const std::string lead = std::string(60, 'l') + ": ";
   EXPECT_EQ(wrapped(lead, word + " end", 6), std::string(60, 'l') + ":\n      " + word + " end\n");
-  // What no line has room for stands in a line of its own.
+  // A text that is too long for a line stands alone in one.
   const std::string longest(100, 'x');
   EXPECT_EQ(wrapped("- ", longest + " " + longest), "- " + longest + "\n  " + longest + "\n");
 }

@@ -114,7 +114,7 @@ TEST_F(MadeUpSteps, ShortFlightsAreOneContact) {
   EXPECT_EQ(onsets[1].mujoco.rebound, 0.0) << "it never parts";
 }
 
-// What begins in contact has no state before it; what still lies in the ring has none outside it.
+// A contact at the start has no state before it, and a contact at the end has none after it.
 TEST_F(MadeUpSteps, OnlyFlightsThatEndAreOnsets) {
   press(0.1);
   fly(kShortestFlight - 1);

@@ -40,7 +40,7 @@ Taped taped(const scene::Scene& scene, scene::ContactModel contact, double step)
   return t;
 }
 
-// What the actuator was told at a row is what the tape has there.
+// The tape holds the command that the actuator received at each row.
 TEST(CommandTape, HoldsWhatTheSeriesSays) {
   const scene::Scene scene = emulated({"run.end=0.01", "run.output_step=1e-4"});
   for (const auto contact : {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb}) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kPercent = 0.01;
 
-// Of two groups of 17 runs whose difference has a confidence interval of +-interval.
+// A figure of two groups of 17 runs whose difference has a confidence interval of +-interval.
 JudgedFigure made(const char* key, double deviation, double interval = 0.0) {
   const auto group = [&](double mean) {
     return FigureSample{mean, mean, 100.0 * interval / 0.698649, 17};
@@ -94,7 +94,7 @@ TEST(FigureVerdict, ASmallGapRateIsJudgedByItsResolution) {
   EXPECT_DOUBLE_EQ(deviation(rate, 1e-3, 2e-3), 1.0);
 }
 
-// What a share of next to nothing would hide.
+// A share of a value near 0 would hide the size of the error.
 TEST(FigureVerdict, ASmallGapRateIsWrittenAsItIs) {
   const JudgedFigure f = judged(figure("gap_rate_rms"), 0.196e-3, 0.157e-3, kPercent);
   EXPECT_EQ(f.verdict, FigureVerdict::kOutside);
@@ -208,7 +208,7 @@ TEST(AnswerRow, BlamesNoContactModelForAnotherPartsFailure) {
   EXPECT_STREQ(answer(c)[0].verdict.word, "no");
 }
 
-// Of several contacts the modal chain has no cone, which a reader looks for first.
+// With several contacts the modal chain has no cone, which a reader looks for first.
 TEST(AnswerRow, SaysWhyMujocoAloneIsNotAmongThem) {
   SceneComparison c = made_by_hand();
   c.scene.auxiliary.resize(2);

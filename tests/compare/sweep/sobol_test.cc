@@ -25,8 +25,8 @@ TEST(Sobol, HasThePointsOfAnotherProgram) {
   }
 }
 
-// Of the first 256 points of two keys, drawn with a seed, each of the 256 boxes of 2^-j by 2^-(8-j)
-// has one, whatever j: a (0, 8, 2)-net, which the digital shift keeps.
+// The first 256 points of two keys, drawn with a seed, have one point in each of the 256 boxes of
+// 2^-j by 2^-(8-j), for every j: they form a (0, 8, 2)-net, which the digital shift keeps.
 TEST(Sobol, HasOnePointInEveryElementaryBox) {
   const test::StudyFolder folder;
   const Study study = folder.study(test::of_ring() + R"([sample]

@@ -133,7 +133,8 @@ TEST(Shard, CoverAllPointsOnce) {
   }
 }
 
-// Of a path with a line break no line is a command of its own, in the comments neither.
+// A path with a line break adds no command of its own to the script, neither in the commands nor in
+// the comments.
 TEST(SlurmScript, KeepsAPathOnItsLine) {
   sweep::SlurmJob job;
   job.program = "/usr/bin/rotorub";

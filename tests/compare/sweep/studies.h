@@ -16,7 +16,7 @@ class StudyFolder : public TemporaryFolder {
   sweep::Study study(const std::string& text) const {
     return sweep::read_study(write("study.toml", text));
   }
-  // What refuses a study; empty: nothing.
+  // The message that refuses the study; empty if it is read.
   std::string refusal(const std::string& text) const {
     return message_of([&] { study(text); });
   }

@@ -99,7 +99,22 @@ TEST(Study, TablesAndBrokenLinesAreNoValues) {
   }
 }
 
-// Each alone: what a study must not be.
+// The table counts as the one that is meant, so it is not missing as well.
+TEST(Study, ReportsAMisspeltTableOnce) {
+  const StudyFolder folder;
+  const std::string vary = "key = \"contact.friction\"\nvalues = [0.1]\n";
+  for (const auto& [text, said] :
+       {std::pair(of_ring() + "[sample]\nkind = \"grid\"\n[[varry]]\n" + vary,
+                  "study.toml:4: varry: unknown key, did you mean `vary`?"),
+        std::pair(of_ring() + "[sampel]\nkind = \"grid\"\n[[vary]]\n" + vary,
+                  "study.toml:2: sampel: unknown key, did you mean `sample`?")}) {
+    const std::string refusal = folder.refusal(text);
+    EXPECT_TRUE(contains(refusal, said));
+    EXPECT_EQ(refusal.find('\n'), std::string::npos) << refusal;
+  }
+}
+
+// Each case has one mistake.
 TEST(Study, Refused) {
   const StudyFolder folder;
   const std::string grid = of_ring() + "[sample]\nkind = \"grid\"\n[[vary]]\n";
@@ -110,7 +125,7 @@ TEST(Study, Refused) {
       {"", "scene: missing"},
       {of_ring(), "sample.kind: missing"},
       {of_ring() + "[sample]\nkind = \"gird\"\n",
-       "did you mean `grid`? Accepted: grid, latin_hypercube, list"},
+       "did you mean `grid`? Choose from grid, latin_hypercube, list"},
       {of_ring() + "[sample]\nkind = \"grid\"\n", "vary: missing"},
       {friction, "vary[0].from: missing"},
       {friction + "from = 0\nto = 1\n", "vary[0].count: missing"},

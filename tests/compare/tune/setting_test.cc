@@ -48,7 +48,7 @@ TEST(WithValues, AddsBehindTheLastKeyAndTakesAway) {
             "1e-05\n");
 }
 
-// What is written is read as the setting, for every variant and whatever stood there.
+// The written text reads back as the setting, for every variant and whatever stood there before.
 TEST(TunedText, ReadsAsTheSetting) {
   const std::string shipped = scene::file_text(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml");
   for (const std::string& before :

@@ -46,7 +46,7 @@ TEST(ConstrainedLaw, ALineGivesTheClosedForm) {
       return Eigen::Vector2d(before.x() + g.nn * p.x() + g.nt * p.y(),
                              before.y() + g.tn * p.x() + g.tt * p.y());
     });
-    // What is expected is not what is there.
+    // The matrix that the solver expects differs from the true one.
     const ContactMatrix expected = matrix(2.0 * g.nn, 0.0, 0.0, 3.0 * g.tt);
     const ConstrainedContact c = solve_constrained_impact(response, before, expected, {&law, 1});
     const ImpactResult r = solve_impact(g, before.x(), before.y(), law);

@@ -120,8 +120,8 @@ TEST(DiscLaw, OneSolutionWhereFrictionIsModerate) {
   }
 }
 
-// What does not move along the axis has the impulses of the planar law, expansion and tangential
-// restitution too.
+// Without a motion along the axis the impulses are those of the planar law, also with expansion and
+// tangential restitution.
 TEST(DiscLaw, WithoutAnAxisItIsThePlanarLaw) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(0.0, 1.0);

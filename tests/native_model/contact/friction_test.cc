@@ -62,8 +62,8 @@ TEST(FallingFriction, ViscousImpactIsTheClosedForm) {
   }
 }
 
-// What friction gives over a normal impulse, dT/dL = -mu(|v|) sign(v), dv/dL = c + g_TT dT/dL, by
-// many small steps.
+// The impulse of friction during a normal impulse, dT/dL = -mu(|v|) sign(v), dv/dL = c + g_TT
+// dT/dL, by many small steps.
 double rubbed(const FrictionLaw& law, double slip, double drift, double mobility, double normal) {
   constexpr int kSteps = 4000;
   const double h = normal / kSteps, sign = slip > 0.0 ? 1.0 : -1.0;
@@ -153,7 +153,7 @@ TEST(FallingFriction, SeveralContactsEachHaveTheMuOfTheirSlip) {
       const double friction = s.p.segment(i * rows + 1, rows - 1).norm();
       if (slip > 1e-9) {
         ++met;
-        // Of slips between the first and the last.
+        // The slip lies between the first and the last one.
         const double first = b.segment(i * rows + 1, rows - 1).norm();
         EXPECT_LE(friction, law.bound(std::max(first, slip)) * pressed + 1e-11 * s.p.norm()) << k;
         EXPECT_GE(friction, law.coefficient * pressed - 1e-11 * s.p.norm()) << k;

@@ -32,7 +32,8 @@ Trajectory run(const scene::Scene& scene, scene::Integrator integrator,
   return t;
 }
 
-// What a sampled controller told: the force half-way between its samples holds from the one before.
+// The commands of a sampled controller: the force half-way between its samples holds from the
+// sample before.
 std::shared_ptr<const CommandRecord> told(const scene::Scene& scene, const char* x, const char* y) {
   std::vector<double> halves;
   for (int k = 0; (k + 0.5) * kSample < scene.run.end; ++k) halves.push_back((k + 0.5) * kSample);

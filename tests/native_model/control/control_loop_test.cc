@@ -140,7 +140,8 @@ TEST(ControlLoop, ARotorThatTurnsBackBeforeTheRingIsNoTouch) {
 
 // ------------------------------------------------------------------
 
-// What a sampled controller is shown: choice, resolution, noise, delay, velocities from positions.
+// Measurements of a sampled controller: choice, resolution, noise, delay, velocities from
+// positions.
 
 constexpr double kSensorSample = 1e-4;
 

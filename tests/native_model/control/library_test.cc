@@ -19,7 +19,7 @@
 #include "tests/support/temporary_folder.h"
 
 #ifdef __SANITIZE_ADDRESS__
-// What an interpreter keeps to its end is no leak of ours.
+// Python keeps some memory to the end of the process; this is not our leak.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libpython3"; }
 #endif
 
@@ -74,7 +74,7 @@ scene::Scene read(const std::string& library, const std::string& config = "",
   return s;
 }
 
-// What the scene is refused with, in words; empty: it is accepted.
+// The message that refuses the scene; empty if it is read.
 std::string refusal(const scene::Scene& scene) {
   const scene::Diagnostic d = test::refusal(scene);
   return d.reason.empty() ? "" : to_string(d);
@@ -119,7 +119,7 @@ TEST(Library, RefusalsNameKeyAndReason) {
   const fs::path none = folder.write("no_library.so", "not a library");
   expect_said(refusal(read(none.string())), {"controller.library", "no_library.so"});
   expect_said(refusal(read("other_abi_controller.so")),
-              {"controller.library", "4711", "accepted: 1"});
+              {"controller.library", "4711", "needs ABI 1"});
   expect_said(refusal(read("odd_controller.so")), {"controller.library", "neither ROTORUB_FORCE"});
   expect_said(refusal(read("current_controller.so")), {"controller.library", "commands currents"});
   expect_said(refusal(read("faulty_controller.so", "fault = \"huge\"")),
@@ -148,8 +148,8 @@ TEST(Library, IsRefusedWithoutASampleTimeAndConfigByOtherKinds) {
               {"controller.config", "belongs to kind = \"library\""});
 }
 
-// Of every integrator: the run ends at the sample that failed, also the first, with the name, the
-// time, and what it has.
+// With every integrator the run ends at the sample that failed, also at the first one, and its
+// message has the name and the time.
 TEST(Library, AFailureEndsTheRunWithNameAndTime) {
   const std::pair<std::string, const char*> faults[] = {{"step", "the encoder is lost"},
                                                         {"nan", "not finite"},
@@ -275,7 +275,7 @@ TEST(OwnController, BringsTheRingToTheRotorByPositionsAlone) {
 
 TEST(OwnController, RefusesAWordThatItDoesNotKnow) {
   expect_said(refusal(read("own_controller.so", "stifness = 1")),
-              {"controller.config", "stifness", "accepted"});
+              {"controller.config", "stifness", "give the numbers"});
   expect_said(refusal(read("own_controller.so", "", {"controller.sensors.rotor=false"})),
               {"positions"});
 }
@@ -285,7 +285,7 @@ class PythonController : public testing::Test {
   void SetUp() override {
     if (!fs::exists(kLibraries / "python_controller.so")) GTEST_SKIP() << "no Python to embed";
   }
-  // Of a module in this test's folder.
+  // A scene with a module in this test's folder as its law.
   scene::Scene law(const std::string& name) const {
     return read("python_controller.so",
                 "module = \"" + name + "\"\npath = \"" + folder_.path().string() + "\"\n");
@@ -335,8 +335,7 @@ def step(law, now, state):
               {"controller.config", "no_such_law"});
 }
 
-// What is said of the first mistakes with a law in Python: the function, the number of values, the
-// keys.
+// The first mistakes with a law in Python are named: the function, the number of values, the keys.
 TEST_F(PythonController, NamesWhatIsMissing) {
   const std::string create = "def create(setup):\n    return None\n",
                     step = "def step(law, now, state):\n    ";

@@ -87,7 +87,8 @@ TEST(QuadraticWithMagnets, TheFirstCommandKnowsWhatASampledDerivativeBeginsWith)
   scene::Scene s = levitated(test::hung_rotors()[1], "lqr");
   Recursion exact(s);
   const LinearPlant& p = exact.design.plant;
-  // Of each axis the integral, then what the sensor showed at the sample before; shape (0.8, 0.3).
+  // The memory of each axis is the integral, then the sensor's value at the sample before; shape
+  // (0.8, 0.3).
   const double shown = 0.8 * s.initial.x[0] + 0.3 * s.initial.x[1];
   const auto at = std::ranges::find(p.memory_names, "control_2") - p.memory_names.begin();
   ASSERT_LT(at, std::ssize(p.memory_names));
@@ -193,7 +194,8 @@ TEST(QuadraticWithMagnets, FastAmplifiersAndSamplesGiveTheGainsWithoutThem) {
     Hanging held = stiff;
     held.first += ", sample_time = " + std::to_string(1e6 * every) + "e-6";
     QuadraticDesign d = design_of(levitated(held, "lqg"));
-    // Of its memory the command alone: a law without derivative and integral acts by nothing else.
+    // Only the command of its memory counts: a law without derivative and integral uses nothing
+    // else.
     d.gain = d.gain.leftCols(14).eval();
     return distance(d, asked, first_of(asked, 3000.0, 0.0));
   });

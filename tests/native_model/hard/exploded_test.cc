@@ -96,7 +96,7 @@ TEST(HardExploded, ABalanceThatDoesNotCloseEndsNoRun) {
   for (const scene::Integrator integrator :
        {scene::Integrator::kEvent, scene::Integrator::kVerlet}) {
     const Trajectory t = run_with(resting, integrator);
-    // Of the weight over the clearance.
+    // Relative to the weight times the clearance.
     EXPECT_LT(t.statistics.energy_residual(), 1e-5);
   }
 }

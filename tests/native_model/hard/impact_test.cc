@@ -26,7 +26,7 @@ TEST(HardZeno, ClosesAtTheExactTime) {
     const oracle::Drop exact{0.5e-3, 9.81, eps};
     scene.run.end = 1.1 * exact.rest_time();
     const Trajectory t = test::sound_event(scene);
-    // What is left when the rebounds are under 1e-9 m/s: 2 v / (g (1 - eps)).
+    // The remaining time when the rebounds are below 1e-9 m/s is 2 v / (g (1 - eps)).
     EXPECT_NEAR(t.events.back().t, exact.rest_time(), 2e-9 / 9.81 / (1.0 - eps) + 1e-11);
     EXPECT_EQ(static_cast<Mode>(t.column("mode").back()), Mode::kStick);
     EXPECT_NEAR(t.column("normal_force").back(), 19.62, 1e-9);

@@ -1,5 +1,5 @@
-// What the laws promise on the reference rig (8 modes, sleeve, friction 0.3): against the passive
-// bearing, from the first touch to the end, sampled and with a lag as a real amplifier has them.
+// Promises of the control laws on the reference rig (8 modes, sleeve, friction 0.3): against the
+// passive bearing, from the first touch to the end, sampled and with a lag like a real amplifier.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -82,7 +82,7 @@ TEST(LongPromises, TheSampleTimeThatIsNeededIsTold) {
       test::message_of<scene::SceneError>([] {
         figures("paper_sliding", {"controller.sample_time=400us", "controller.preload=30"});
       }),
-      {"controller.sample_time", "accepted: at most 0.00035"}));
+      {"controller.sample_time", "set at most 0.00035"}));
 }
 
 // The paper's thesis: the earlier it is switched on before the touch (107 ms), the smaller the

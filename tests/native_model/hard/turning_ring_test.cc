@@ -146,7 +146,7 @@ TEST(TurningRing, ARubUnderAConstantForceSpinsItUpAsTheClosedFormSays) {
   const Trajectory event = test::run_event(rub.scene);
   EXPECT_LT(miss(event), 1e-9);
   test::expect_sound_event(rub.scene, event);
-  // Of second order, and of first.
+  // The ratio of the errors at two steps shows second and first order.
   const auto ratio = [&](Integrator integrator) {
     return miss(run_with(rub.scene, integrator, 1e-4)) /
            miss(run_with(rub.scene, integrator, 1e-5));

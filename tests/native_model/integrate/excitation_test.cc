@@ -1,5 +1,5 @@
-// What shakes a rotor: locked to the spin, swept, a blow, a blade that is lost. One mode's answer
-// is the integral of its answer to a blow (Duhamel), here by quadrature of the force as the scene
+// Excitations of a rotor: locked to the spin, swept, a blow, a lost blade. The response of one mode
+// is the integral of its response to a blow (Duhamel), here by quadrature of the force as the scene
 // states it.
 #include <gtest/gtest.h>
 

@@ -157,7 +157,7 @@ TEST(MagneticBearings, IntegratorsCarryTheWeightFromASteadyStart) {
 TEST(MagneticBearings, RefuseWhatTheyCannotHold) {
   const std::string one =
       std::string(kTwoMagnets).substr(0, std::string(kTwoMagnets).rfind("[[mag"));
-  EXPECT_TRUE(test::contains(refusal_of(one), "or two of those"));
+  EXPECT_TRUE(test::contains(refusal_of(one), "or two such magnetic bearings"));
   EXPECT_TRUE(
       test::contains(refusal_of(kTwoMagnets, {"magnetic_bearing[1].control.proportional=1000"}),
                      {"magnetic_bearing[1].control.proportional", "give more than 2000 A/m"}));

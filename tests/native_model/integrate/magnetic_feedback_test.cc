@@ -101,7 +101,7 @@ TEST(MagneticFeedback, AtTheLimitTheForceIsConstant) {
   const Trajectory t = run_event(s);
   EXPECT_LT(test::orbit_error(t, exact), 1e-9 * kStart);
   EXPECT_LT(t.statistics.energy_residual(), 1e-9);
-  // What a step makes of the kink depends on where in the step it falls: neighbours scatter.
+  // The error at the kink depends on where in the step it falls, so neighbouring steps scatter.
   test::expect_order_of_steps(
       s, {2e-4, 1e-4, 5e-5, 2e-5, 1e-5, 5e-6, 2e-6}, 1.85,
       [&](const Trajectory& run) { return test::orbit_error(run, exact); }, 1e-3 * kStart);

@@ -23,7 +23,7 @@ scene::Scene mode(const std::vector<std::string>& overrides) {
   return scene::parse_scene(kBaseModal, "mode.toml", overrides);
 }
 
-// Of all columns, as a share of the largest value of each.
+// Largest difference of all columns, as a share of the largest value of each.
 double apart(const Trajectory& a, const Trajectory& b) {
   EXPECT_EQ(a.rows(), b.rows());
   double largest = 0.0;

@@ -178,9 +178,9 @@ TEST(MagneticLibrary, RefusalsNameKeyAndReason) {
       {by_library("", "recording_controller.so"),
        {"magnetic_control.library", "no function rotorub_magnetic_controller_get"}},
       {by_library("", "other_abi_magnetic_controller.so"),
-       {"magnetic_control.library", "4712", "accepted: 1"}},
+       {"magnetic_control.library", "4712", "needs ABI 1"}},
       {by_library("fault = \"huge\"\n"),
-       {"magnetic_control.library", "a state of 65 numbers; accepted: up to 64"}}};
+       {"magnetic_control.library", "a state of 65 numbers is too large; the limit is 64"}}};
   for (const auto& c : cases) {
     const std::string said = to_string(test::refusal(read(c.control)));
     for (const std::string& word : c.words) EXPECT_TRUE(test::contains(said, word));

@@ -153,7 +153,7 @@ TEST(SampledMagneticControl, BehindAnAmplifierToo) {
                  HeldLoop(a, b, Eigen::Vector3d(0.0, 0.03, 0.0), kEvery, s.run.end, pid(0)));
 }
 
-// What the limit cuts off is taken back.
+// The integrator takes back the part that the limit cuts off.
 TEST(SampledMagneticControl, PidKeepsItsLimit) {
   constexpr double kLimit = 0.31;
   scene::Scene s = sampled_scene();

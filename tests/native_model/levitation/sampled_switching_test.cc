@@ -63,7 +63,7 @@ TEST(SampledMagneticSwitching, SwitchedOnAtASampleItRemembersFromThere) {
   }
 }
 
-// What is sampled and switched at the same instant counts before it and after it apart.
+// A sample and a switch at the same instant act one after the other, so the order stays 2.
 TEST(SampledMagneticSwitching, SwitchedAtASampleTheOrderIsTwo) {
   const std::string linear = "negative_stiffness = 1e5\n";
   for (const std::string& further :

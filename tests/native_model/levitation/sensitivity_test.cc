@@ -135,7 +135,7 @@ fails_at = 5.0
     seen.block(2 + plane, q, 1, 2) = rate.block(2 + plane, v, 1, 2) = u2.transpose();
     a(j + 1, j + 1) = -1.0 / 2e-4;
     a.row(j + 2).segment(j, 3) = -8000.0 * Eigen::RowVector3d(1.0, 2.0, 1.0);
-    // Of the port's deflection and of its rate.
+    // Input from the port's deflection and its rate.
     input(j, plane) = 3e4;
     input(j + 2, plane) = -8000.0 * 3000.0;
     slope(j + 1, plane) = 1.0 / 2e-4;
@@ -206,7 +206,7 @@ TEST(Levitation, SampledLoopHasItsHoldAndDelay) {
   constexpr double kUnit = 1e4;
   const double push = kUnit * kForceOf / kPullOf;  // where k_i i holds against k_s
   Eigen::MatrixXd sample = Eigen::MatrixXd::Zero(6, 6), move = sample;
-  // Of each sample first the queue moves: held, next, last; r stays as the one before.
+  // At each sample the queue moves first: held, next, last; r stays as the one before.
   sample(0, 0) = sample(1, 1) = 1.0;
   sample(2, 0) = 1.0;
   sample(3, 4) = 1.0;
@@ -290,7 +290,7 @@ TEST(Levitation, BodesIntegralOfEveryMagneticScene) {
   }
 }
 
-// What never works has no loop.
+// A control that never works has no loop.
 TEST(Levitation, WithoutALoopSaysNothing) {
   scene::Scene s = hung({.proportional = kStiff, .derivative = kDamps});
   s.rotor.modal->stiffness = {2e5};

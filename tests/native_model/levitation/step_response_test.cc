@@ -255,7 +255,7 @@ TEST(SampledUnbalance, IsOnceATurnInALongRun) {
   }
 }
 
-// What a sensor sees is what `modes` says of it: both of them at the speed of the scene.
+// A sensor in the run shows what `modes` predicts for it; both at the speed of the scene.
 TEST(SampledUnbalance, HasTheFiguresOfTheLoopAtItsSensors) {
   const Turns turns{600.0, 12};
   const scene::Scene s = turns.scene();

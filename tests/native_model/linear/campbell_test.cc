@@ -49,8 +49,8 @@ TEST(Campbell, FriswellRotorAt4000Rpm) {
   }
 }
 
-// Of another program's documentation, to what shear makes of it; of elements without shear, to all
-// their digits.
+// The example in the documentation of another program (ROSS): within the effect of shear, and to
+// all digits for elements without shear.
 TEST(Campbell, RossExample) {
   const WhirlSystem system = whirl_system(scene_of(oracle::ross_rotor(6)));
   const auto rising = [&](double speed) {

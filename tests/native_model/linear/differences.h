@@ -71,7 +71,7 @@ inline Eigen::VectorXd kept_in_contact(const Model& m, const rub::SteadyRub& rub
   return dy;
 }
 
-// What is 0 in contact: (gap, its rate, of rolling also the slip).
+// The residuals that are 0 in contact: (gap, gap rate, and for rolling also the slip).
 inline Eigen::VectorXd off_contact(const Model& m, const rub::SteadyRub& rub,
                                    const Eigen::VectorXd& y) {
   const ContactPoint p = contact_point(m, y.data(), y.data() + m.nq());

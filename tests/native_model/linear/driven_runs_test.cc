@@ -1,5 +1,5 @@
-// What torsion and a motor that gives way do to the reference rig's rubs, in whole runs: nothing
-// while it slides, and in backward rolling what the eigenvalues and the motor's balance say.
+// Effects of torsion and of a weak motor on the reference rig's rubs, in whole runs: none while it
+// slides, and in backward rolling the effect that the eigenvalues and the motor's balance predict.
 #include <gtest/gtest.h>
 
 #include <algorithm>

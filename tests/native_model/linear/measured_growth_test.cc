@@ -85,7 +85,7 @@ TEST(MeasuredGrowth, TheRigsRubDecaysAtLittleFriction) { expect_measured({held_r
 // Friction feeds the second bending mode: the rig of the paper cannot rub steadily.
 TEST(MeasuredGrowth, TheRigsRubGrowsAtItsOwnFriction) { expect_measured({held_rig(0.3)}, false); }
 
-// Of one mode on a fixed ring the rub's angle eps alone can move, and what friction loses with the
+// With one mode on a fixed ring only the rub's angle eps can move, and friction that falls with the
 // slip drives it:
 //   m eps'' + (d + 2 tau nu m + lambda dmu/dv) eps' + k eps = 0,
 //   k = k_r - m nu^2 + tau d nu + lambda (1 + tau^2) / delta_0
@@ -165,7 +165,7 @@ scene::Scene turning(const std::string& name, const std::string& drag,
   return test::shipped(name, further);
 }
 
-// What the run ends in is the rub, to `share` of each figure.
+// The run ends in the rub, to `share` of each figure.
 void expect_ends_in(const Trajectory& t, const SteadyRub& rub, double share) {
   const auto near = [&](const char* column, double value, double whole) {
     EXPECT_NEAR(t.column(column).back(), value, share * std::abs(whole)) << column;

@@ -202,8 +202,8 @@ TEST(OrbitSize, EllipseOffTheOrigin) {
               1e-9);
 }
 
-// Of whole ratios the phases stay with one another: at phase pi the second circle is always against
-// the first where it would add up. Of others every phase comes.
+// At whole frequency ratios the phases stay with one another: at phase pi the second circle always
+// opposes the first where it would add up. At other ratios every phase occurs.
 TEST(OrbitSize, PhasesThatMeetAndThatNeverMeet) {
   const auto size = [](double ratio, double phase) {
     return OrbitSize{{0.0, 0.0},

@@ -135,8 +135,8 @@ TEST(StabilityThreshold, FindsTheWindowsOfATable) {
       << "too weak a cross-coupling";
 }
 
-// Of unit mass, stable while c omega > k: between two points of the table k is ahead of c, at each
-// of them it is not.
+// A rotor of unit mass is stable while c omega > k: between two points of the table k is below c
+// omega, at each of them it is not.
 TEST(StabilityThreshold, FindsAWindowBetweenTwoPointsOfATable) {
   WhirlSystem system = whirl_system(jeffcott(1.0, 1e5, 2.0));
   const std::vector<double> speed{0.0, 300.0, 330.0, 360.0, 2000.0};

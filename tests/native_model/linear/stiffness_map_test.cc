@@ -17,7 +17,7 @@ namespace {
 
 using Of = StiffnessMap::Of;
 
-// Of its kind; the only one.
+// The map of this kind, which is the only one.
 std::optional<StiffnessMap> map_of(Of of, const scene::Scene& scene) {
   std::optional<StiffnessMap> found;
   for (const StiffnessMap& map : stiffness_maps(scene)) {

@@ -114,7 +114,7 @@ TEST(SynchronousResponse, FollowsThePhaseAndTheSense) {
       << "ahead of the mark is behind it when it turns the other way";
 }
 
-// What `modes` says of the orbit at the scene's speed, by another way through the equations.
+// `modes` states the orbit at the scene's speed; here it follows from the equations in another way.
 TEST(SynchronousResponse, AgreesWithTheFreeOrbit) {
   scene::Scene s = unbalanced(0.03);
   s.rotor.modal->stiffness_y = {1.5 * kMass * kOmega * kOmega};

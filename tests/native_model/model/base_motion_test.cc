@@ -66,7 +66,7 @@ TEST(BaseMotion, OnOffAndRamp) {
   EXPECT_EQ(motion.jumps(), (std::vector<double>{0.2, 0.7}));
 }
 
-// What a step takes is the integral, across breaks and ends.
+// A step uses the exact mean over its time, across breaks and ends.
 TEST(BaseMotion, TheMeanIsTheIntegral) {
   // Trapezoids of the table over [0, 0.5].
   const Vector2d all = 0.1 * Vector2d(2.0, 1.0) + 0.2 * Vector2d(1.0, 2.0);
@@ -80,7 +80,7 @@ TEST(BaseMotion, TheMeanIsTheIntegral) {
     constexpr int kCells = 200000;
     Vector2d sum{0.0, 0.0};
     for (int k = 0; k < kCells; ++k) sum += motion.at(from + (k + 0.5) * (to - from) / kCells);
-    // Of the line (w h)^4 / 4320, h = 0.05 from break to break.
+    // The quadrature error of the line is (w h)^4 / 4320, with h = 0.05 from break to break.
     EXPECT_NEAR((motion.mean(from, to) - sum / kCells).norm(), 0.0, 2.0 * 16.0 / 4320.0);
     Vector2d parts{0.0, 0.0};
     for (int k = 0; k < 100; ++k) parts += motion.mean(from + 1e-3 * k, from + 1e-3 * (k + 1));

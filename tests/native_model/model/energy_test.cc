@@ -42,14 +42,14 @@ Balance balance(const Model& m, int steps) {
   return {after - before, y[2 * n], std::max(std::abs(before), std::abs(after))};
 }
 
-// Of the largest energy; RK4 at 5 us of modes up to 2000 rad/s is good to (w h)^4.
+// Relative to the largest energy; RK4 at 5 us of modes up to 2000 rad/s is accurate to (w h)^4.
 constexpr double kBalance = 1e-8;
 
 void expect_balance(const Model& m) {
   const Balance coarse = balance(m, 1000), fine = balance(m, 4000);
   const double error = std::abs(fine.change - fine.work) / fine.scale;
   EXPECT_LT(error, kBalance);
-  // What is left is the step's: a wrong term would stay.
+  // The remaining error comes from the step: a wrong term would not shrink.
   EXPECT_LT(error, 0.05 * std::abs(coarse.change - coarse.work) / coarse.scale + 1e-13);
   EXPECT_GT(std::abs(fine.work), 1e-3 * fine.scale) << "the loads do work, or nothing is tested";
 }

@@ -119,7 +119,7 @@ TEST(RubStart, IsWhatASteadyStartThatTouchesNames) {
   EXPECT_EQ(test::refusal(s).reason, "");
 }
 
-// What comes after t = 0 is no part of the rub: it finds the rotor on it.
+// A load that begins after t = 0 is not part of the rub: it acts on the rotor that rubs already.
 TEST(RubStart, LoadsThatComeLaterAreLeftOut) {
   scene::Scene s = on("bench_annular_elastic", "synchronous");
   const Model alone = prepare(s);
@@ -207,12 +207,12 @@ void expect_refused(const scene::Scene& s, const std::string& key, const std::st
 
 TEST(RubStartRefusal, SaysWhichRubsThereAre) {
   expect_refused(on("bench_whip", "synchronous"), "initial.rub",
-                 "there is no synchronous rub at 314.159 rad/s; accepted: a rub that there is "
-                 "(whip, rolling), or none");
+                 "there is no synchronous rub at 314.159 rad/s; choose one that exists "
+                 "here (whip, rolling), or none");
   scene::Scene gentle = on("bench_annular_elastic", "synchronous");
   gentle.forces[0].amplitude = 1e-3;
   gentle.first().contact->friction = 0.0;
-  expect_refused(gentle, "initial.rub", "accepted: none");
+  expect_refused(gentle, "initial.rub", "choose none");
 }
 
 TEST(RubStartRefusal, OfLoads) {

@@ -50,8 +50,8 @@ TEST(SteadyOrbit, IsJeffcottsUnderUnbalance) {
   }
 }
 
-// What the analysis says of the gap is what a run meets, of each integrator; over the whole steps
-// of it.
+// The analysis predicts the smallest gap that a run reaches with each integrator, over the steps as
+// a whole.
 TEST(SteadyOrbit, TheLeastGapIsThatOfTheRun) {
   scene::Scene s = steady({.mass = 2.0, .damping = 40.0, .stiffness = 2e5, .speed = 250.0});
   s.run.end = 0.1;
@@ -122,7 +122,7 @@ TEST(SteadyOrbit, AtAnotherSpeed) {
   const FreeOrbit none = free_response(unstable, prepare(unstable), 2000.0).orbits.front();
   EXPECT_FALSE(none.largest);
   EXPECT_NE(none.refused.find("unstable"), std::string::npos) << none.refused;
-  EXPECT_EQ(none.refused.find("accepted"), std::string::npos);
+  EXPECT_EQ(none.refused.find(';'), std::string::npos);
 }
 
 // One round mode with everything round: D(nu) = k + nu Omega g - m nu^2 + i nu d + i (nu - Omega)

@@ -92,7 +92,7 @@ TEST(BearingFilm, CrossCoupledBearingsWhirlAsTheirClosedForm) {
     const auto [one, other] = translation(cross, 7.0);
     for (const Complex exact : {one, other}) {
       EXPECT_LT(nearest(whirl_eigenvalues(system, 100.0), exact), kStiff) << cross;
-      // Of each complex pair one stands for the whirl, with the sense in its sign.
+      // One eigenvalue of each complex pair stands for the whirl; its sign gives the direction.
       EXPECT_LT(nearest(whirl_eigenvalues(both_planes, 100.0), exact), kStiff) << cross;
     }
   }

@@ -79,7 +79,7 @@ TEST(AutoModes, RefusesAStationWithoutMassAndSaysWhy) {
   EXPECT_TRUE(test::contains(
       test::message_of<scene::SceneError>([] { prepare(automatic(rig(0.0), 0.01)); }),
       {"rotor.modes", "up to 50", "effective mass at the contact", "sleeve",
-       "Accepted: a modes_tolerance well above"}));
+       "Set a modes_tolerance well above"}));
 }
 
 // Static flexibilities alone have a limit on any shaft.

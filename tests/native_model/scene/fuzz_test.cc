@@ -20,7 +20,7 @@ enum class Outcome { kScene, kRefused };
 Outcome outcome(const std::string& text, const std::vector<std::string>& overrides = {}) {
   try {
     const Scene scene = parse_scene(text, "s.toml", overrides);
-    // What is let through is usable.
+    // A scene that is read is usable.
     EXPECT_TRUE(scene.rotor.geometry.has_value() != scene.rotor.modal.has_value());
     EXPECT_TRUE(std::isfinite(scene.run.end) && scene.run.end > 0.0);
     EXPECT_TRUE(std::isfinite(scene.rotor.speed));

@@ -19,7 +19,7 @@ std::filesystem::path shipped(const std::string& name) {
   return std::filesystem::path(ROTORUB_MJCF_DIR) / (name + ".toml");
 }
 
-// What is limited is the depth of a key, not how many numbers stand in a line.
+// The limit concerns the depth of a key, not the count of numbers in a line.
 TEST(Reader, TakesLongLinesOfNumbers) {
   std::string times = "[", square = "[";
   for (int k = 0; k <= 1000; ++k) times += (k > 0 ? "," : "") + std::to_string(1e-4 * k);

@@ -1,5 +1,5 @@
-// What a refusal of a scene says: all errors at once, one line each, short and printable; files
-// that are no scene.
+// The text of a refused scene: all errors at once, one line each, short and printable; also for
+// files that are not scenes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -72,12 +72,12 @@ stator = [1, 2]
 TEST(Refusal, WritesOneLineAProblem) {
   EXPECT_EQ(test::message_of([] { parse_scene(modal("0.15", "-1") + "[zzz]\n", "dir/s.toml"); }),
             "dir/s.toml:9: contact.friction: out of range: expected a pure number, >= 0, got -1\n"
-            "dir/s.toml:11: zzz: unknown table; accepted here: run, rotor, drive, force, base, "
+            "dir/s.toml:11: zzz: unknown table; choose from run, rotor, drive, force, base, "
             "magnetic_bearing, magnetic_control, contact, stator, actuator, controller, gravity, "
             "initial, mujoco, check");
 }
 
-// What the user wrote is quoted, and cut: no escape code reaches the terminal, and no megabyte.
+// The user's words are quoted and cut, so that no escape code and no megabyte reaches the terminal.
 TEST(Refusal, QuotesAreShortAndPrintable) {
   const std::string code = "\x1b[31m", written = "\\u001b[31m";  // as TOML can hold it
   const std::string much(200'000, 'x');
@@ -192,7 +192,7 @@ TEST(Printable, CutsBetweenCharacters) {
   EXPECT_EQ(printable(std::string(1'000'000, 'x')).size(), kQuotedLength + 3);
 }
 
-// What was made printable once is not changed again.
+// Printable text is not changed again.
 TEST(Printable, Twice) {
   const std::string once = printable("\x1b[31m\n\xff\xc2\x9b");
   EXPECT_EQ(printable(once), once);

@@ -143,7 +143,7 @@ TEST(Units, RefuseWhatDoesNotFitAndSayWhatWould) {
         << "'" << bad.text << "' gave '" << parsed.error << "'";
     EXPECT_EQ(parsed.value, 0.0) << bad.text;
   }
-  // What would not fit either is not proposed.
+  // A unit that would not fit either is not proposed.
   for (const char* text : {"5 lb", "5 lb/in3", "5 oz-in", "5 x2", "5 2"}) {
     const std::string error = parse_quantity(text, kLength).error;
     EXPECT_NE(error, "") << text;

@@ -220,7 +220,7 @@ TEST_F(Axial, ARingThatIsDraggedAlong) {
   EXPECT_NEAR(of(m.get(), d->qvel, "ring"), -0.5, 1e-8);
 }
 
-// What is distinguished is the machine, not its names: the same document with another axis.
+// The machines are distinguished, not their names: the same document with another axis.
 TEST_F(Axial, ModelsThatDifferInAnAxisAlone) {
   const std::string lifts = document(Lift{}),
                     stays = replaced(lifts, "name=\"lift\" type=\"slide\" axis=\"0 0 1\"",

@@ -195,7 +195,7 @@ TEST_F(ConeCorrection, ABoxIsHeldUpToMuTimesItsWeight) {
   }
 }
 
-// What else MuJoCo solves takes part: a second mass that is tied to the first, 1 kg each, and one
+// Other constraints of MuJoCo take part: two masses of 1 kg are tied to each other, and one of them
 // rubs.
 TEST_F(ConeCorrection, BesideConstraints) {
   Slide s;

@@ -23,7 +23,7 @@ namespace {
 namespace names = mjcf_names;
 
 constexpr double kStep = 1e-5, kBlow = 0.3, kRotor = 2.0, kRing = 1.0;
-// What solimp 0.9999 gives way in a step, of the motion without the constraint.
+// Share of the motion without the constraint that solimp 0.9999 still allows in a step.
 constexpr double kSoft = 3e-4;
 
 enum Coordinate { kX, kY, kSpin, kRingX, kRingY, kOther };
@@ -183,7 +183,7 @@ TEST_F(HeldBodies, SoftContactStandsBesideConstraintsToo) {
   EXPECT_NEAR(a[2], b[2], kSoft * (100.0 - a[2]));
 }
 
-// What does not meet the contact costs and changes nothing: bits as without those rows.
+// Constraints elsewhere change no bit of a contact that they do not touch.
 TEST_F(HeldBodies, ConstraintsElsewhereChangeNoBit) {
   Machine x;
   x.bodies = R"(<body name="lamp" pos="0 0 1"><joint name="lamp" type="slide" axis="0 0 1"/>

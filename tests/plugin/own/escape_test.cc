@@ -1,5 +1,5 @@
-// What is deeper in its ring than a start put it is told once, and the contact no longer calls
-// itself active.
+// A rotor that is deeper in its ring than any start would put it is reported once, and its contact
+// is no longer active.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -73,7 +73,7 @@ TEST_F(LoadCells, BelowARingThatStands) {
       EXPECT_NEAR(cell[0], fx, size) << contact << " " << d->time;
       EXPECT_NEAR(cell[1], fy, size) << contact << " " << d->time;
       EXPECT_NEAR(cell[2], 0.0, size);
-      // What acts on the joints alone is no force between bodies.
+      // A force that acts only on the joints is not a force between bodies.
       const mjtNum* held = data(m.get(), d, "held");
       EXPECT_NEAR(held[0], d->qfrc_applied[0], size);
       EXPECT_NEAR(held[1], d->qfrc_applied[1], size);
@@ -124,8 +124,8 @@ TEST_F(LoadCells, TouchSensorsLookOutOfTheirBody) {
   EXPECT_EQ(readings("rigid"), of_mujoco);
 }
 
-// What bodies hand on to each other, asked for by hand in a model without any cell: of a ring that
-// stands on the world, cfrc_ext is the rub on it and cfrc_int what it hands on.
+// The forces between bodies, computed by hand in a model without any cell: for a ring that stands
+// on the world, cfrc_ext is the rub on it and cfrc_int the force that it passes on.
 TEST_F(LoadCells, AreNotNeededForTheForcesBetweenBodies) {
   for (const char* contact : {"rigid", "coulomb"}) {
     Machine x;
@@ -288,7 +288,7 @@ TEST_F(LoadCells, AreRefusedWhereNothingIsCalledAfterThem) {
   std::string text =
       replaced(document(x), "<sensor>", "<sensor><force name=\"cell\" site=\"cell\"/>");
   for (int i = 0; i < 2; ++i) text = replaced(text, "needstage=\"acc\"", "needstage=\"vel\"");
-  EXPECT_TRUE(contains(load_refusal(text), {"<sensor name=\"cell\">", "accepted"}));
+  EXPECT_TRUE(contains(load_refusal(text), {"<sensor name=\"cell\">", "preload the plugin"}));
   // One that carries neither rotor nor ring is MuJoCo's own matter.
   x.ring_geoms = "";
   x.bodies = R"(<body name="aside"><site name="cell"/><geom size="0.01"/></body>)";

@@ -152,7 +152,7 @@ TEST_F(OwnNames, TwoContactModelsOnOneShaftAreRefused) {
                   "name=\"rotorub_contact_2\" data=\"coulomb\"");
   text = replaced(text, "geom2=\"holder\" condim=\"1\" margin=\"5e-6\" gap=\"1\"",
                   "geom2=\"holder\" condim=\"1\" solref=\"-4e8 -10211.0255\" margin=\"5e-7\"");
-  expect_refused(text, "accepted: one contact model for both");
+  expect_refused(text, "use one contact model for both");
 }
 
 TEST_F(OwnNames, TheSizeThatIsNeededIsSaid) {

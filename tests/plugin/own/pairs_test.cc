@@ -16,7 +16,8 @@ enum ShaftCoordinate { kShaftX, kShaftY, kTiltX, kTiltY, kShaftSpin };
 
 class Pairs : public HookedTest {
  protected:
-  // Of the velocities, at the pose that they are of, and at that which the last step began with.
+  // Kinetic energy of the velocities, at their own pose and at the pose with which the last step
+  // began.
   static double energy(const mjModel* m, mjData* d) {
     mj_kinematics(m, d);
     mj_comPos(m, d);

@@ -1,4 +1,5 @@
-// What a user's own model may say, and what is refused by name; where rotor and ring meet.
+// Rules for a user's own model: the names that it may have, the refusals, and the place where rotor
+// and ring touch.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -41,7 +42,7 @@ TEST_F(OwnRules, ASceneStandsAlone) {
       "beside a scene's text");
   expect_refused(
       replaced(scene, "<custom>", "<custom><numeric name=\"rotorub_friction\" data=\"0.3\"/>"),
-      "accepted: the value in the scene");
+      "set the value in the scene");
 }
 
 TEST_F(OwnRules, ThePairSaysWhatTheTextSays) {
@@ -78,7 +79,7 @@ TEST_F(OwnRules, RefuseARotorAcrossItsRing) {
   const std::string upright = document(Machine{});
   load(replaced(upright, "<geom name=\"disc\"", "<geom euler=\"30 0 0\" name=\"disc\""));
   expect_refused(replaced(upright, "<geom name=\"disc\"", "<geom euler=\"90 0 0\" name=\"disc\""),
-                 "across that of its ring");
+                 "across the axis of its ring");
 }
 
 // Its motion is in no velocity: the contact would not see it.
@@ -162,10 +163,10 @@ TEST_F(OwnRules, AStateThatIsWrittenBeforeTheWallHasItsImpact) {
 TEST_F(OwnRules, SeveralNumbersForOneAreRefused) {
   const std::string good = document(Machine{});
   expect_refused(replaced(good, "data=\"5e-4\"", "data=\"5e-4 1e-3\""),
-                 "<custom><numeric name=\"rotorub_clearance\">: 2 numbers; accepted: one");
+                 "<custom><numeric name=\"rotorub_clearance\">: has 2 numbers; give one");
   for (const char* friction : {"0.3 0.1", "0.3 0.1 3", "0.3 0.1 3 0 7"}) {
     expect_refused(replaced(good, "data=\"0.000000\"", std::string("data=\"") + friction + "\""),
-                   "numbers; accepted: one, or four");
+                   "numbers; give one, or four");
   }
   Machine x;
   x.custom = "<numeric name=\"rotorub_userdata\" data=\"0 1\"/>";
@@ -204,7 +205,7 @@ TEST_F(OwnRules, AllThatIsWrongIsSaidAtOnce) {
   bad = replaced(bad, "gap=\"1\"", "gap=\"0\"");
   bad = replaced(bad, "rotorub_friction", "rotorub_fricton");
   expect_refused(bad, "rotorub_fricton");
-  expect_refused(bad, "1.5; accepted: between 0 and 1");
+  expect_refused(bad, "1.5 must be between 0 and 1");
   expect_refused(bad, "at least 21 needed");
   const std::string pair =
       "<pair geom1=\"disc\" geom2=\"bore\" condim=\"1\" margin=\"5e-6\" gap=\"1\"/>";
@@ -260,8 +261,8 @@ TEST_F(OwnRules, SensorsOfEveryStageAreTold) {
   EXPECT_EQ(told("acc"), wanted);
 }
 
-// What <option> says for all contacts keeps out of `rigid`, and is refused where MuJoCo solves ours
-// by it.
+// An override in <option> for all contacts does not affect `rigid`, and is refused where MuJoCo
+// solves our contact by it.
 TEST_F(OwnRules, AnOverrideOfAllContactsIsNotTakenForThePair) {
   Machine x;
   const auto run = [](const ModelPointer& m) {

@@ -1,5 +1,5 @@
-// What MuJoCo's step takes implicitly in the velocities beside the joints' dampers: a blow must
-// leave with the restitution all the same, at any step.
+// MuJoCo's step takes more terms implicitly in the velocities than the joints' dampers: an impact
+// must still have its restitution, at any step.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,8 +19,8 @@ namespace {
 
 class StepMatrix : public HookedTest {
  protected:
-  // Of the first blow, along x: the closing rate of ring and rotor after the step over that which
-  // the step without a contact has.
+  // The closing rate of ring and rotor after the step of the first impact along x, relative to the
+  // rate without a contact.
   static double rebound(mjModel* m, double step, int rotor, int ring) {
     m->opt.timestep = step;
     const DataPointer d = start(m), without = start(m);

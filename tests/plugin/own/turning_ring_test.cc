@@ -105,7 +105,7 @@ TEST_F(OwnTurningRing, AngularMomentumIsConserved) {
     const double before = momentum();
     for (int k = 0; k < 20000; ++k) mj_step(m.get(), d.get());
     EXPECT_LT(d->qvel[kRing], 310.0) << contact;
-    // What changes hands is some 0.1 N m s.
+    // The exchanged angular momentum is about 0.1 N m s.
     EXPECT_NEAR(momentum(), before, contact[0] == 'r' ? 1e-10 : 1e-6) << contact;
   }
 }
