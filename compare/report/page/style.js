@@ -20,6 +20,18 @@ export const layout = (extra) => ({
   margin: {l: 56, r: 12, t: 8, b: 40}, hovermode: 'x unified',
   hoverlabel: {bgcolor: css('--panel'), bordercolor: css('--line'), font: {color: css('--ink')}}, ...extra});
 export const legendAbove = (extra) => ({orientation: 'h', x: 0, y: 1.02, yanchor: 'bottom', font: {color: css('--ink')}, ...extra});
+// A legend below the axis' title, in as many rows as its names need. height: what it adds to the margin below, and to the
+// plot's own, so that what is drawn keeps its size.
+export function legendBelow(names, width) {
+  const letter = onPaper() ? 5 : 7, columns = Math.max(1, Math.floor(width / (letter * Math.max(1, ...names.map(({length}) => length)) + 50)));
+  return {height: names.length ? 20 * Math.ceil(names.length / columns) : 0,
+    legend: {orientation: 'h', x: 0, xref: 'container', y: 0, yref: 'container', yanchor: 'bottom', font: {color: css('--ink'), size: onPaper() ? 7 : 11}}};
+}
+// Makes room for it.
+export function growBy(plot, height) {
+  plot.style.height = '';
+  if (height) plot.style.height = `${plot.clientHeight + height}px`;
+}
 // On a logarithmic axis.
 export const decades = {type: 'log', exponentformat: 'power', dtick: 1};
 
