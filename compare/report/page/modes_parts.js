@@ -104,7 +104,7 @@ function splitRubs(parts) {
   let heading = '';
   for (const part of parts) {
     heading = part.heading || heading;
-    const isContact = part.heading?.startsWith('contact '), isRubs = heading.startsWith('lasting rubs');
+    const isContact = part.heading?.startsWith('contact '), isRubs = heading && !/^(contact|whirl of) /.test(heading);
     if (isContact || isRubs) front.push(part);
     if (!isRubs) behind.push(part);
   }

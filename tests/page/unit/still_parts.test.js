@@ -86,8 +86,8 @@ test('and how near it comes to each contact, and what a touch may lead to', () =
 test('the tables of lasting rubs stand in front, with their contacts', () => {
   const sheets = (...rubs) => stillParts({page: page('modes', [{heading: 'Whirl'}, {id: 'rubs', parts: rubs}]), rotor: {...rotor, bode: null}, loops: [], judged,
     texts: ['']}).filter((part) => part.class === 'sheets').map(({parts}) => parts.map((part) => part.heading || Object.keys(part)[0]));
-  assert.deepEqual(sheets({heading: 'contact a, the others open'}, {heading: 'whirl of both'}, {rows: []}, {heading: 'lasting rubs at 1'}, {rows: []}),
-    [['contact a, the others open', 'lasting rubs at 1', 'rows'], ['Whirl', 'contact a, the others open', 'whirl of both', 'rows', 'summary']]);
+  assert.deepEqual(sheets({heading: 'contact a, the others open'}, {heading: 'whirl of both'}, {rows: []}, {heading: 'lasting rubs at 1'}, {rows: []}, {heading: 'the same driven'}),
+    [['contact a, the others open', 'lasting rubs at 1', 'rows', 'the same driven'], ['Whirl', 'contact a, the others open', 'whirl of both', 'rows', 'summary']]);
   assert.deepEqual(sheets({text: 'refused'}), [['Whirl', 'text', 'summary']]);
 });
 
