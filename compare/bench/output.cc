@@ -305,7 +305,7 @@ Section scene_section(const SceneBench& bench) {
        page_text(std::string("The reference settles to: ") +
                  rotorub::to_string(settled(bench.reference.trajectory).attractor)),
        page_heading("Fastest at each level of error"), Sentence{}, levels_table(bench), Sentence{},
-       Sentence{.text = verdict_text(bench.levels), .lead = "  "},
+       Sentence{.text = verdict_text(bench.levels), .lead = "  ", .place = "verdict"},
        page_heading("Engines and settings"), Sentence{}, series_table(bench)},
       result::kAll,
       bench.scene.name};

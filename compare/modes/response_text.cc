@@ -18,12 +18,12 @@ using nlohmann::json;
 constexpr double kMicrons = 1e6;
 
 // Empty if the rotor is at rest or has no vibration.
-std::string vibration_sentence(const FreeOrbit& orbit, double speed, const char* micron) {
+std::string vibration_sentence(const FreeOrbit& orbit, double speed) {
   const double limit = vibration_limit(speed);
   if (!std::isfinite(limit) || orbit.vibration == 0.0) return "";
-  return fmt::format("{:.5g} {} peak to peak, {} the {:.4g} {} of API 617",
-                     kMicrons * orbit.vibration, micron,
-                     orbit.vibration <= limit ? "within" : "beyond", kMicrons * limit, micron);
+  return fmt::format("{:.5g} µm peak to peak, {} the {:.4g} µm of API 617",
+                     kMicrons * orbit.vibration, orbit.vibration <= limit ? "within" : "beyond",
+                     kMicrons * limit);
 }
 
 // An orbit at a contact and its time: ", before the loss".
@@ -63,25 +63,9 @@ std::vector<result::Part> orbit_parts(const ContactPlace& place, const TimedOrbi
                                    : fmt::format("it touches: {:.4g} µm beyond the clearance",
                                                  -kMicrons * gap)),
                      .lead = "  "}};
-  const std::string vibration = vibration_sentence(orbit, speed, "µm");
+  const std::string vibration = vibration_sentence(orbit, speed);
   if (!vibration.empty()) parts.emplace_back(result::line("  vibration there: " + vibration));
   return parts;
-}
-
-ResponseWords orbit_words(const ContactPlace& place, const TimedOrbit& at, double speed) {
-  const std::string title =
-      fmt::format("Free orbit{}{}", place.name.empty() ? "" : " at " + place.name, at.when);
-  const FreeOrbit& orbit = at.orbit;
-  if (!orbit.largest) return {false, title, "none", orbit.refused};
-  const double gap = place.clearance - *orbit.largest;
-  ResponseWords words{!(gap > 0.0), title,
-                      gap > 0.0 ? fmt::format("least gap {:.4g} µm", kMicrons * gap)
-                                : fmt::format("touches, {:.4g} µm beyond", -kMicrons * gap),
-                      fmt::format("{:.4g} µm from the middle of the ring, clearance {:.4g} µm",
-                                  kMicrons * *orbit.largest, kMicrons * place.clearance)};
-  const std::string vibration = vibration_sentence(orbit, speed, "µm");
-  if (!vibration.empty()) words.text += "; vibration " + vibration;
-  return words;
 }
 
 }  // namespace
@@ -126,14 +110,6 @@ result::Section response_section(const ContactPlace& place, const RotorResponse&
     section.add({result::Section{"before_loss", orbit_parts(place, orbits.front(), speed)}});
   section.add(orbit_parts(place, orbits.back(), speed));
   return section;
-}
-
-std::vector<ResponseWords> response_words(const ContactPlace& place, const RotorResponse& response,
-                                          double speed) {
-  std::vector<ResponseWords> words;
-  for (const TimedOrbit& at : orbits_at(place, response))
-    words.push_back(orbit_words(place, at, speed));
-  return words;
 }
 
 }  // namespace rotorub

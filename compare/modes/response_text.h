@@ -47,13 +47,4 @@ double vibration_limit(double speed);
 result::Section response_section(const ContactPlace& place, const RotorResponse& response,
                                  double speed);
 
-// For the cards of the page: one, or two if a blade is lost, with the remaining clearance and the
-// orbit.
-struct ResponseWords {
-  bool touches = false;
-  std::string title, headline, text;
-};
-std::vector<ResponseWords> response_words(const ContactPlace& place, const RotorResponse& response,
-                                          double speed);
-
 }  // namespace rotorub

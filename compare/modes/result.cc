@@ -225,18 +225,25 @@ json friction_json(const FrictionLaw& law) {
 }
 
 Item stable_item(const rub::Stability& stability, const std::string& more = "") {
-  return {stability.stable, (stability.stable ? "  stable" : "  unstable") + more};
+  return {stability.stable, (stability.stable ? "  stable" : "  unstable") + more,
+          stability.stable ? Tone::kGood : Tone::kBad};
 }
 
 Table rubs_table(const std::vector<StandingRub>& rubs) {
   Table table{.place = "rubs/#/{column}"};
   const auto add = column_adder(table, rubs);
   add({"kind", "rub", -12}, [](auto& r) { return Item{rub::to_string(r.rub.kind)}; });
-  add({"whirl", "whirl rad/s", 14}, [](auto& r) { return number(r.rub.whirl, 7); });
+  // On a page in Hz.
+  const auto add_speed = [&](const char* key, const char* in_si, const char* in_hz, int digits,
+                             const auto& speed) {
+    add({key, in_si, 14, result::kNotPage}, [&](auto& r) { return number(speed(r), digits); });
+    add({"", in_hz, 14, result::kPage}, [&](auto& r) { return number(speed(r), digits, kHz); });
+  };
+  add_speed("whirl", "whirl rad/s", "whirl / Hz", 7, [](auto& r) { return r.rub.whirl; });
   add({"normal_force", "force / N", 14}, [](auto& r) { return number(r.rub.normal_force, 7); });
   add({"friction", "friction", 12}, [](auto& r) { return number(r.rub.friction, 5); });
   add({"growth_rate", "growth 1/s", 14}, [](auto& r) { return number(r.stability.growth, 4); });
-  add({"frequency", "at rad/s", 14}, [](auto& r) { return number(r.stability.frequency, 6); });
+  add_speed("frequency", "at rad/s", "at / Hz", 6, [](auto& r) { return r.stability.frequency; });
   add({"stable"}, [](auto& r) {
     return stable_item(r.stability, r.rub.ring_speed == 0.0
                                         ? ""
@@ -291,9 +298,10 @@ std::vector<Part> driven_parts(const RubAnalysis& analysis) {
   for (std::size_t k = 0; k < rubs.size(); ++k) rubs[k].stability = analysis.driven[k];
   Table driven = rubs_table(rubs);
   driven.place = "driven/#/{column}";
-  for (std::size_t k = 0; k < driven.columns.size(); ++k) {
-    driven.columns[k].title = std::exchange(driven.columns[k].heading, "");
-    if (k < 4 || k > 6) driven.columns[k].key.clear();
+  for (result::Column& column : driven.columns) {
+    column.title = std::exchange(column.heading, "");
+    if (column.key != "growth_rate" && column.key != "frequency" && column.key != "stable")
+      column.key.clear();
   }
   Table rolling{.place = "driven_rolling/#/{column}"};
   const auto add = column_adder(rolling, analysis.rolling);
@@ -364,7 +372,7 @@ Section modes_result(const std::string& name, const RotorAnalysis& analysis) {
   all.add(stability_parts(analysis));
   all.add(contact_mass_parts(analysis.contact_mass));
   all.add(shapes_parts(analysis.shapes));
-  all.add(rubs_parts(analysis));
+  all.add({Section{"", rubs_parts(analysis), result::kAll, "Lasting rubs", "rubs"}});
   return all;
 }
 

@@ -1,6 +1,7 @@
 #include "compare/optimise/output.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -18,15 +19,6 @@ namespace rotorub::optimise {
 namespace {
 
 using result::Data, result::Section, result::Sentence, result::Table;
-
-// The SI unit of the figure with a space before it; empty if dimensionless, and for figures of
-// modes.
-std::string unit_of(const FigurePath& figure) {
-  if (figure.source != Source::kRun) return {};
-  const auto keys = metric_keys();
-  const auto key = std::ranges::find(keys, std::string_view(figure.text), &ColumnMeaning::name);
-  return key == keys.end() || key->unit.empty() ? std::string() : " " + std::string(key->unit);
-}
 
 enum class End { kNone, kLower, kUpper };
 
@@ -62,30 +54,25 @@ Section best_of(const Task& task, const Optimum& optimum) {
   const Evaluation& best = optimum.evaluations[*optimum.best];
   constexpr int kNames = -42;
   const auto item = [](double value, const std::string& unit) -> result::Item {
-    return {value, fmt::format(" {}{}", short_number(value), unit)};
+    return {value, fmt::format(" {}{}{}", short_number(value), unit.empty() ? "" : " ", unit)};
   };
-  Table values{"values/{row}",
-               {{.width = kNames, .title = "key"},
-                {.key = "number", .seen = result::kNotPage},
-                {.seen = result::kPage, .title = "best"},
-                {.seen = result::kPage, .title = "range"}}};
+  std::vector<std::string> places;
+  Table values{"values/{row}", {{.width = kNames}, {.key = "number"}}};
   for (std::size_t k = 0; k < best.values.size(); ++k) {
     const sweep::Vary& vary = task.study.vary[k];
     const bool at_end = end_of(task, k, best.values[k]) != End::kNone;
     const ShownUnit unit = shown_unit(vary.unit);
-    const auto shown = [&](double value) { return short_number(unit.per_si * value); };
+    places.push_back(vary.key + " =" + item(unit.per_si * best.values[k], unit.name).text);
     values.rows.push_back(
         {vary.key,
          {{.text = vary.key},
           item(best.values[k],
-               fmt::format(" {}{}", vary.unit, at_end ? "  (an end of its range)" : "")),
-          {.text = fmt::format("{} {}", shown(best.values[k]), unit.name)},
-          {.text = fmt::format("{} to {}", shown(vary.from), shown(vary.to))}}});
+               fmt::format("{}{}", vary.unit, at_end ? "  (an end of its range)" : ""))}});
   }
-  const Table figure{
-      "{row}",
-      {{.width = kNames}, {.key = "number"}},
-      {{"figure", {{.text = goal.figure.text}, item(*best.figure, unit_of(goal.figure))}}}};
+  const result::Item reached = item(*best.figure, unit_of(goal.figure));
+  Table figure{"{row}",
+               {{.width = kNames}, {.key = "number"}},
+               {{"figure", {{.text = goal.figure.text}, reached}}}};
   Table constraints{"constraints/#/{column}",
                     {{.key = "figure", .width = kNames},
                      {.key = "max", .seen = result::kJson},
@@ -99,13 +86,16 @@ Section best_of(const Task& task, const Optimum& optimum) {
                                           c.is_max ? none : limit,
                                           item(*best.constraints[k], unit_of(c.figure))}});
   }
+  for (Table* table : {&values, &figure, &constraints}) table->seen = result::kNotPage;
   const std::string edge = edge_text(task, optimum);
-  return {"best",
-          {Data{"evaluation", *optimum.best},
-           Sentence{.text = fmt::format("The best is evaluation {}.", *optimum.best),
-                    .seen = result::kPage},
-           values, Data{"edge", edge.empty() ? nlohmann::json() : nlohmann::json(edge)}, figure,
-           constraints}};
+  const std::string answer = fmt::format("{} is {} at evaluation {}, where it is{}: {}.",
+                                         goal.figure.text, goal.maximise ? "greatest" : "least",
+                                         *optimum.best, reached.text, fmt::join(places, ", "));
+  return {
+      "best",
+      {Data{"evaluation", *optimum.best},
+       Sentence{.text = answer, .place = "answer", .seen = result::kNotTerminal}, values,
+       Data{"edge", edge.empty() ? nlohmann::json() : nlohmann::json(edge)}, figure, constraints}};
 }
 
 }  // namespace
@@ -123,6 +113,13 @@ std::string edge_text(const Task& task, const Optimum& optimum) {
   return text.empty() ? text : text + ": a wider range may hold better values";
 }
 
+std::string unit_of(const FigurePath& figure) {
+  if (figure.source != Source::kRun) return {};
+  const auto keys = metric_keys();
+  const auto key = std::ranges::find(keys, std::string_view(figure.text), &ColumnMeaning::name);
+  return key == keys.end() ? std::string() : std::string(key->unit);
+}
+
 std::string constraint_text(const Constraint& c) {
   return fmt::format("{} {} {}", c.figure.text, c.is_max ? "<=" : ">=", short_number(c.limit));
 }
@@ -134,8 +131,10 @@ Section result_of(const std::string& name, const Task& task, const Optimum& opti
   const std::size_t count = optimum.evaluations.size();
   Section all{.parts = {Data{"figure", figure}, Data{"goal", goal}, Data{"ending", ending},
                         Data{"evaluations", count},
-                        result::line(fmt::format("{}: {} {}", scene::printable(name), goal,
-                                                 scene::printable(figure))),
+                        Sentence{.text = fmt::format("{}: {} {}", scene::printable(name), goal,
+                                                     scene::printable(figure)),
+                                 .wraps = false,
+                                 .seen = result::kNotPage},
                         Sentence{.text = fmt::format("{} evaluations, {}{}{}", count, ending,
                                                      edge.empty() ? "" : ", ", edge),
                                  .lead = "  "}}};

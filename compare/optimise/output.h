@@ -11,9 +11,9 @@
 namespace rotorub::optimise {
 
 // name: of the scene, for people. JSON: {"figure", "goal" (minimise, maximise), "ending",
-// "evaluations", "best": {"evaluation", "values": {key: SI}, "edge" (edge_text(), or null),
-// "figure", "constraints": [{"figure", "min" or "max", "value"}]}, or null if no evaluation meets
-// the constraints}.
+// "evaluations", "best": {"evaluation", "answer": a sentence, "values": {key: SI}, "edge"
+// (edge_text(), or null), "figure", "constraints": [{"figure", "min" or "max", "value"}]}, or null
+// if no evaluation meets the constraints}.
 result::Section result_of(const std::string& name, const Task& task, const Optimum& optimum);
 
 // evaluations.csv: a header line, then one line per evaluation in their order, SI; and its columns.
@@ -24,6 +24,9 @@ std::vector<ColumnMeaning> evaluations_columns(const Task& task);
 // If the best is at an end of a range: "at the upper end of the range of stator.damping: a wider
 // range may hold better values"; otherwise empty.
 std::string edge_text(const Task& task, const Optimum& optimum);
+
+// The SI unit of a figure; empty if dimensionless, and for figures of modes.
+std::string unit_of(const FigurePath& figure);
 
 // "least_gap >= 0.0001"
 std::string constraint_text(const Constraint& constraint);

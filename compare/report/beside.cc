@@ -44,30 +44,32 @@ void add_cases(const json& all, Beside& beside) {
 // The lists must have equal lengths, because the script indexes them together.
 void check_columns(const json& plots) {
   const std::size_t points = plots.at("status").size();
+  const bool is_grid = plots.at("kind").get_ref<const std::string&>() == "grid";
+  std::size_t cells = 1;
+  for (const json& key : plots.at("keys")) cells *= is_grid ? key.at("values").size() : 1;
+  if (is_grid && cells != points)
+    throw std::out_of_range(fmt::format("a grid of {} cells has {} points", cells, points));
   for (const char* lists : {"values", "columns"}) {
-    for (const json& list : plots.at(lists)) {
+    for (const json& list : plots.value(lists, json::array())) {
       if (list.size() != points)
         throw std::out_of_range(fmt::format("a list of {} has not {} values", lists, points));
     }
   }
-  if (plots.at("keys").size() != plots.at("values").size() || plots.at("keys").empty() ||
-      plots.at("figures").size() != plots.at("columns").size() || plots.at("figures").empty()) {
+  if ((!is_grid && plots.at("keys").size() != plots.at("values").size()) ||
+      plots.at("keys").empty() || plots.at("figures").size() != plots.at("columns").size() ||
+      plots.at("figures").empty()) {
     throw std::out_of_range("keys and figures have not a list each");
   }
-  plots.at("kind").get_ref<const std::string&>();
   plots.at("statuses").get_ref<const json::array_t&>();
 }
 
 void add_map(const json& all, Beside& beside) {
   check_columns(all.at("plots"));
-  json set = all.at("plots");
-  set["maps"] = all.at("maps");
-  for (const json& map : set["maps"]) map.at("first").get_ref<const std::string&>();
-  const json parts = {
-      {{"heading", all.at("name")}}, {{"cards", all.at("cards")}}, {{"maps", beside.maps.size()}}};
   json& shown = beside.parts["maps"];
-  shown.insert(shown.end(), parts.begin(), parts.end());
-  beside.maps.push_back(std::move(set));
+  shown.push_back({{"heading", all.at("name")}});
+  for (const std::string sentence : all.at("answer")) shown.push_back({{"text", sentence}});
+  shown.push_back({{"maps", beside.maps.size()}});
+  beside.maps.push_back(all.at("plots"));
 }
 
 struct Kind {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -49,13 +48,9 @@ json map_key(const std::string& name, const std::string& unit, json values) {
 template <class Point, std::size_t count, class PointAt>
 json map_plots(const json& first, const json& second, const MapFigure<Point> (&figures)[count],
                const PointAt& point) {
-  json columns(count, json::array()), places = {json::array(), json::array()};
-  json status = json::array();
+  json columns(count, json::array());
   for (std::size_t i = 0; i < first["values"].size(); ++i) {
     for (std::size_t j = 0; j < second["values"].size(); ++j) {
-      places[0].push_back(i);
-      places[1].push_back(j);
-      status.push_back(0);
       const Point* here = point(i, j);
       for (std::size_t k = 0; k < count; ++k)
         columns[k].push_back(here ? figures[k].value(*here) : json(nullptr));
@@ -64,11 +59,7 @@ json map_plots(const json& first, const json& second, const MapFigure<Point> (&f
   return {{"kind", "grid"},
           {"keys", {first, second}},
           {"figures", figures_json(figures)},
-          {"values", places},
-          {"columns", columns},
-          {"status", status},
-          {"statuses", {"ok"}},
-          {"every", 1}};
+          {"columns", columns}};
 }
 
 // null if there is no value or it is not finite.
@@ -89,10 +80,11 @@ double force(const StandingRub& r) { return r.rub.normal_force; }
 double whirl(const StandingRub& r) { return r.rub.whirl * kHz; }
 
 constexpr MapFigure<RubPoint> kRubFigures[] = {
-    {kLinearAttractors, "", "what is stable by its eigenvalues, and so may coexist", true, false,
+    {"linear: attractors", "", "what is stable by its eigenvalues, and so may coexist", true, false,
      [](const RubPoint& p) { return json(attractors_text(p.attractors())); }},
-    {kLinearGrowth, "1/s", "synchronous rub, of its least stable pair: below 0 it is stable", false,
-     true, [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, growth); }},
+    {"linear: rub, growth rate", "1/s",
+     "synchronous rub, of its least stable pair: below 0 it is stable", false, true,
+     [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, growth); }},
     {"linear: rub, frequency", "Hz", "synchronous rub, of that pair, seen from the turning frame",
      false, false,
      [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, pair_frequency); }},
@@ -111,65 +103,26 @@ constexpr MapFigure<RubPoint> kRubFigures[] = {
      [](const RubPoint& p) { return p.orbit ? shown(*p.orbit / p.clearance) : json(nullptr); }},
 };
 
-// The share of the map for each set of attractors, and for none.
-json cards_of(const RubKeyMap& map) {
-  std::array<int, 16> met{};
-  for (const auto& point : map.points)
-    if (point) ++met[point->attractors()];
-  const auto share = [&](int count) {
-    return fmt::format("{:.3g} %", 100.0 * count / static_cast<double>(map.points.size()));
-  };
-  const auto of = [&](unsigned bit) {
-    int all = 0;
-    for (unsigned k = 0; k < met.size(); ++k) all += k & bit ? met[k] : 0;
-    return share(all);
-  };
-  return {
-      card("Synchronous rub stable", "", of(rub::kForcedRub),
-           "the rotor slides round in step with its load"),
-      card("Backward whip stable", "", of(rub::kBackwardWhip), "it slides round against the spin"),
-      card("Rolling possible", "", of(rub::kRollingRub),
-           "once there, it rolls round against the spin, and presses hard"),
-      card("Nothing stable but rolling", "", share(met[0] + met[rub::kRollingRub]),
-           "a rotor that does not roll bounces for ever")};
-}
-
 // -------------------------------------------------------------------- stabilising feedback
-constexpr const char* kGrowth = "rub, growth rate";
-constexpr const char* kForce = "rub, normal force";
-
 constexpr MapFigure<FeedbackPoint> kFeedbackFigures[] = {
-    {kGrowth, "1/s", "of its least stable pair: below 0 it is stable", false, true,
+    {"rub, growth rate", "1/s", "of its least stable pair: below 0 it is stable", false, true,
      [](const FeedbackPoint& p) { return p.forced ? shown(p.forced->growth) : json(nullptr); }},
+    {"rub, normal force", "N", "of the forced rub", false, false,
+     [](const FeedbackPoint& p) { return shown(p.normal_force); }},
     {"rub, frequency", "Hz", "of that pair, seen from the turning frame", false, false,
      [](const FeedbackPoint& p) {
        return p.forced ? shown(kHz * p.forced->frequency) : json(nullptr);
      }},
-    {kForce, "N", "of the forced rub", false, false,
-     [](const FeedbackPoint& p) { return shown(p.normal_force); }},
     {"beside it", "", "what is stable beside the forced rub: the start decides", true, false,
      [](const FeedbackPoint& p) { return json(p.whip ? "whip or rolling" : "nothing"); }},
 };
 
-json cards_of(const FeedbackMap& map) {
-  const auto rule = map.rule();
-  const bool zero = map.feedbacks.front() == 0.0;
-  std::size_t calm = 0, without = 0;
-  for (std::size_t i = 0; i < rule.size(); ++i) {
-    const auto& forced = map.at(i, 0).forced;
-    calm += rule[i].has_value();
-    without += forced && forced->stable;
-  }
-  const auto speeds = [&](std::size_t n) {
-    return fmt::format("at {} of {} speeds", n, rule.size());
-  };
-  json cards = {card("Some k makes the forced rub stable", "", speeds(calm),
-                     "where no such rub lasts, or no k calms it, there is none")};
-  if (zero) {
-    cards.push_back(card("It is stable without feedback", "", speeds(without),
-                         "there feedback only makes it decay faster"));
-  }
-  return cards;
+// A page of one set of maps. command: prints the figures.
+std::string map_page(const scene::Scene& scene, const PageHead& head, const result::Section& found,
+                     const char* kind, const char* command, json plots) {
+  return laid_out_page(
+      head, found, kind, {{"maps", {std::move(plots)}}, {"texts", {scene.text}}},
+      fmt::format("`rotorub modes --{} --json` prints the figures in SI units.", command));
 }
 
 }  // namespace
@@ -180,22 +133,6 @@ std::vector<json> rub_values(const RubPoint& point) {
   std::vector<json> values;
   for (const auto& f : kRubFigures) values.push_back(f.value(point));
   return values;
-}
-
-json figure_choices(const std::vector<std::string>& first) {
-  return list_of(first, [](const std::string& name) -> json { return {{"first", name}}; });
-}
-
-std::string map_page(MapPage page, const result::Section& found, json plots) {
-  plots["maps"] = figure_choices(page.first);
-  page.below.push_back({{"figures", 0}});
-  if (!page.scene.empty())
-    page.below.push_back({{"summary", "The scene's text"}, {"pre", page.scene}});
-  page.above.push_back({{"maps", 0}});
-  page.above.push_back({{"class", "sheets"}, {"parts", std::move(page.below)}});
-  return laid_out_page(
-      page.head, found, page.above, {{"maps", {plots}}},
-      fmt::format("`rotorub {} --json` prints the figures in SI units.", page.command));
 }
 
 json rub_map_plots(const RubKeyMap& map) {
@@ -219,39 +156,14 @@ json feedback_map_plots(const FeedbackMap& map) {
 }
 
 std::string rub_map_page(const scene::Scene& scene, const RubKeyMap& map) {
-  const std::string axes = map.of_speed_and_friction()
-                               ? "spin speed and friction"
-                               : fmt::format("{} and {}", map.across.key, map.up.key);
-  const result::Section found = rub_map_picture(scene.name, map);
-  const std::string lead = fmt::format(
-      "Steady rubs of rotor and ring over {}, each judged by the eigenvalues of its small "
-      "perturbations with contact kept. The spin is held, and where it changes each load keeps its "
-      "ratio to it. Where several are stable, the start decides; where only rolling is, a rotor "
-      "that does not roll bounces. A stable rub may still be out of reach: these maps know nothing "
-      "of impacts.",
-      axes);
-  return map_page({.head = {scene.name, "lasting rubs", "Which rubs last, and where?"},
-                   .command = "modes --rub-map",
-                   .first = {kLinearAttractors, kLinearGrowth},
-                   .above = {{{"cards", cards_of(map)}}, {{"lead", lead}}},
-                   .below = page_json(found),
-                   .scene = scene.text},
-                  found, rub_map_plots(map));
+  return map_page(scene, {scene.name, "lasting rubs", "Which rubs last, and where?"},
+                  rub_map_picture(scene.name, map), "rub_map", "rub-map", rub_map_plots(map));
 }
 
 std::string feedback_map_page(const scene::Scene& scene, const FeedbackMap& map) {
-  const result::Section found = feedback_map_table(scene.name, map);
-  constexpr const char* lead =
-      "The forced rub of the scene's friction with the force u = -k e_z x q' on the ring, q' the "
-      "ring's velocity, in its closed loop, over spin speed and k: judged by the eigenvalues of "
-      "its small perturbations with contact kept. The rule is the k under which it decays fastest.";
-  return map_page({.head = {scene.name, "cross-coupled feedback", "Which feedback calms the rub?"},
-                   .command = "modes --feedback-map",
-                   .first = {kGrowth, kForce},
-                   .above = {{{"cards", cards_of(map)}}, {{"lead", lead}}},
-                   .below = page_json(found),
-                   .scene = scene.text},
-                  found, feedback_map_plots(map));
+  return map_page(scene, {scene.name, "cross-coupled feedback", "Which feedback calms the rub?"},
+                  feedback_map_table(scene.name, map), "feedback_map", "feedback-map",
+                  feedback_map_plots(map));
 }
 
 }  // namespace rotorub

@@ -7,35 +7,16 @@
 #include <vector>
 
 #include "compare/modes/rub_key_map.h"
-#include "compare/report/page_frame.h"
-#include "compare/result/result.h"
 #include "native_model/linear/rub_map.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub {
-
-inline constexpr const char* kLinearAttractors = "linear: attractors";
-inline constexpr const char* kLinearGrowth = "linear: rub, growth rate";
 
 // The figures of a rub: [{"name", "unit", "meaning", "word": it has few different texts, "linear":
 // true, it has a value even if a run fails, "signed": the colours change at 0}].
 nlohmann::json rub_figures();
 // The values in that order; null if the point has no such rub.
 std::vector<nlohmann::json> rub_values(const rub::RubPoint& point);
-
-// The maps of a set, "maps" in its data: [{"first": the figure that the map shows first}].
-nlohmann::json figure_choices(const std::vector<std::string>& first);
-
-// A page of one set of maps.
-struct MapPage {
-  PageHead head;
-  std::string command;             // of rotorub, which prints the figures
-  std::vector<std::string> first;  // the figure that each map shows first
-  nlohmann::json above, below;     // what stands around the maps (page/layout.js)
-  std::string scene;               // its text; empty: none
-};
-// plots: as sweep_plots (sweep_page.h).
-std::string map_page(MapPage page, const result::Section& found, nlohmann::json plots);
 
 // The page of `rotorub modes --rub-map`: over two keys, which rubs are stable, how fast they decay
 // or grow, and their normal force.

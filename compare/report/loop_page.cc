@@ -105,15 +105,4 @@ json loop_plots(const RotorAnalysis& analysis) {
   return loops;
 }
 
-json loop_parts(const json& loops) {
-  json parts = {
-      {{"heading", "Closed loop of the magnetic bearings"}},
-      {{"text",
-        "Linear, of the modes kept, within the limits of currents and voltages. A sampled "
-        "control has its hold and its delay in all of it. Bearings by colour, the axis y "
-        "dashed."}}};
-  for (std::size_t k = 0; k < loops.size(); ++k) parts.push_back({{"plots", "loop"}, {"index", k}});
-  return parts;
-}
-
 }  // namespace rotorub

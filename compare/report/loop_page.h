@@ -11,7 +11,5 @@ namespace rotorub {
 // [Hz, dB]}], "step": [{"name", "t": ms, "y": um/N, "peak": [t, y] or null, "settled": [t, y],
 // "steady"}]}.
 nlohmann::json loop_plots(const RotorAnalysis& analysis);
-// The part of the page (page/layout.js) that has them.
-nlohmann::json loop_parts(const nlohmann::json& loops);
 
 }  // namespace rotorub

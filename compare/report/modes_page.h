@@ -31,10 +31,10 @@ Campbell campbell_of(const scene::Scene& scene, RotorAnalysis analysis,
 
 std::string modes_page(const scene::Scene& scene, const Campbell& campbell);
 
-// The data of the page's script, in Hz, rpm, % and mm: "campbell" {"top", "running", "critical",
-// "threshold": null, "pieces", "torsion", "operating": the modes at the scene's speed}, "shapes"
-// (null in modal form) with "modes" at rest and "whirl" at the scene's speed, and "bode"
-// (response_plots.h).
+// The data of the page's script, in Hz, rpm, % and mm: "campbell" {"top", "running", "critical":
+// all of them, "threshold": null, "pieces", "torsion", "operating": the modes at the scene's
+// speed}, "shapes" (null in modal form) with "modes" at rest and "whirl" at the scene's speed, and
+// "bode" (response_plots.h).
 nlohmann::json modes_plots(const scene::Scene& scene, const Campbell& campbell);
 
 // The data of a run's plots of its free rotor (page/plot_words.js), with whirl shapes at the

@@ -60,8 +60,7 @@ json campbell_json(const scene::Scene& scene, const Campbell& campbell) {
   const RotorAnalysis& analysis = campbell.analysis;
   json pieces = json::array(), critical = json::array();
   for (const WhirlBranch& branch : campbell.branches) add_pieces(branch, pieces);
-  for (const double speed : analysis.critical_speeds)
-    if (speed <= campbell.range) critical.push_back(shown(speed * kRpm));
+  for (const double speed : analysis.critical_speeds) critical.push_back(shown(speed * kRpm));
   const std::optional<double> threshold = analysis.stability_threshold();
   return {{"top", shown(campbell.range * kRpm)},
           {"torsion", list_of(analysis.torsion,
@@ -93,18 +92,23 @@ json disc_radius(const scene::Disc& disc) {
   return shown(kMilli * std::sqrt(2.0 * disc.Jp / disc.mass));
 }
 
-// Each mode is numbered among the modes of its sense.
+// Each mode is numbered among the modes of its sense, of which the first are shown.
 json whirl(const std::vector<WhirlShape>& shapes, double speed) {
+  constexpr int kShown = 4;
   constexpr int kShapeDigits = 4;  // of a curve with height 1
   std::map<std::string, int> count;
-  return list_of(shapes, [&](const WhirlShape& whirl) -> json {
+  json all = json::array();
+  for (const WhirlShape& whirl : shapes) {
     const std::string sense = sense_of(whirl.mode, speed);
-    return {{"sense", sense},
-            {"number", ++count[sense]},
-            {"frequency", shown(std::abs(whirl.mode.frequency) * kHz)},
-            {"roundness", rounded(whirl.roundness, kShapeDigits)},
-            {"shape", list_of(whirl.shape, [](double y) { return std::round(y * 1e4) / 1e4; })}};
-  });
+    if (++count[sense] > kShown) continue;
+    all.push_back(
+        {{"sense", sense},
+         {"number", count[sense]},
+         {"frequency", shown(std::abs(whirl.mode.frequency) * kHz)},
+         {"roundness", rounded(whirl.roundness, kShapeDigits)},
+         {"shape", list_of(whirl.shape, [](double y) { return std::round(y * 1e4) / 1e4; })}});
+  }
+  return all;
 }
 
 json shapes_json(const scene::Scene& scene, const RotorAnalysis& analysis) {

@@ -68,15 +68,10 @@ std::string page_of(const PageHead& head, const result::Section& found, const js
                  {"scripts", std::string(live ? report_js() : still_js())}});
 }
 
-std::string laid_out_page(const PageHead& head, const result::Section& found, const json& parts,
-                          json data, const std::string& footer) {
-  data["page"] = parts;
+std::string laid_out_page(const PageHead& head, const result::Section& found,
+                          const std::string& kind, json data, const std::string& footer) {
+  data["page"] = {{"kind", kind}, {"parts", page_json(found)}};
   return page_of(head, found, data, footer);
-}
-
-json card(std::string_view title, std::string_view tone, std::string_view headline,
-          std::string_view text) {
-  return {{"title", title}, {"tone", tone}, {"headline", headline}, {"text", text}};
 }
 
 }  // namespace rotorub

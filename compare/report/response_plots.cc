@@ -13,7 +13,6 @@
 #include "compare/base/units.h"
 #include "compare/modes/rotor_analysis.h"
 #include "compare/report/plot_points.h"
-#include "compare/result/result.h"
 #include "native_model/linear/synchronous_response.h"
 
 namespace rotorub {
@@ -24,7 +23,9 @@ using nlohmann::json;
 constexpr double kMicronsOfMetre = 1e6;  // um per m
 constexpr int kResponseDigits = 5;
 
-json curve_json(const ProbeResponse& probe, const std::vector<double>& speed, bool same_planes) {
+// running: rad/s, >= 0.
+json curve_json(const ProbeResponse& probe, const std::vector<double>& speed, double running,
+                bool same_planes) {
   json amplitude = json::array(), phase = json::array(), peaks = json::array();
   double last = 0.0;
   std::vector<double> phases;
@@ -42,12 +43,16 @@ json curve_json(const ProbeResponse& probe, const std::vector<double>& speed, bo
   for (const ResponsePeak& peak : probe.peaks) {
     const auto at = std::upper_bound(speed.begin(), speed.end(), peak.speed) - speed.begin() - 1;
     const double beside = phases[static_cast<std::size_t>(std::max<std::ptrdiff_t>(at, 0))];
+    std::optional<double> margin;
+    if (peak.amplification && running > 0.0)
+      margin = required_margin(*peak.amplification, peak.speed > running);
     peaks.push_back(
         {{"speed", rounded(kRpm * peak.speed)},
          {"amplitude", rounded(kMicronsOfMetre * std::abs(peak.deflection), kResponseDigits)},
          {"phase", rounded(phase_degrees(peak.deflection, beside), kResponseDigits)},
          {"factor",
-          peak.amplification ? json(rounded(*peak.amplification, kResponseDigits)) : json()}});
+          peak.amplification ? json(rounded(*peak.amplification, kResponseDigits)) : json()},
+         {"margin", margin ? json(rounded(*margin, kResponseDigits)) : json()}});
   }
   return {{"name", probe.name},
           {"plane", same_planes        ? ""
@@ -167,61 +172,9 @@ json bode_data(const scene::Scene& scene, double top) {
                                  : "least clearance, at contact " + least->name},
           {"limit", held ? list_of(response->speed, limit) : json()},
           {"curves", list_of(response->probes, [&](const ProbeResponse& probe) {
-             return curve_json(probe, response->speed, response->same_planes);
+             return curve_json(probe, response->speed, std::abs(scene.rotor.speed),
+                               response->same_planes);
            })}};
-}
-
-std::vector<result::Part> peak_parts(const json& bode) {
-  constexpr double kSame = 0.02;  // relative difference of speeds
-  std::vector<std::pair<json, std::string>> all;
-  if (bode.is_null()) return {};
-  for (const json& curve : bode.at("curves")) {
-    const std::string plane = curve.at("plane");
-    for (const json& peak : curve.at("peaks"))
-      all.emplace_back(peak,
-                       curve.at("name").get<std::string>() + (plane.empty() ? "" : ", " + plane));
-  }
-  const auto value = [](const auto& peak, const char* what) {
-    return peak.first.at(what).template get<double>();
-  };
-  std::sort(all.begin(), all.end(),
-            [&](const auto& a, const auto& b) { return value(a, "speed") < value(b, "speed"); });
-  result::Table table{.columns = {{.heading = "station", .width = -20},
-                                  {.heading = "at / rpm", .width = 10},
-                                  {.heading = "amplitude / µm", .width = 16},
-                                  {.heading = "AF", .width = 8},
-                                  {.heading = "margin", .width = 10},
-                                  {.heading = "asked for", .width = 10}}};
-  const double running = bode.at("running");
-  for (auto begin = all.begin(); begin != all.end();) {
-    const auto end = std::find_if(begin, all.end(), [&](const auto& peak) {
-      return value(peak, "speed") > (1.0 + kSame) * value(*begin, "speed");
-    });
-    const auto top = std::max_element(begin, end, [&](const auto& a, const auto& b) {
-      return value(a, "amplitude") < value(b, "amplitude");
-    });
-    const double speed = value(*top, "speed");
-    const json& factor = top->first.at("factor");
-    const double margin = running > 0.0 ? std::abs(speed - running) / running : 0.0;
-    std::optional<double> asked;
-    if (!factor.is_null() && running > 0.0)
-      asked = required_margin(factor.get<double>(), speed > running);
-    const Tone tone = !asked ? Tone::kPlain : margin >= *asked ? Tone::kGood : Tone::kBad;
-    table.rows.push_back(
-        {.items = {
-             {.text = top->second},
-             result::number(speed, 5),
-             result::number(value(*top, "amplitude"), 4),
-             {.text = factor.is_null() ? "–" : fmt::format("{:.3g}", factor.get<double>())},
-             {.text = running > 0.0 ? fmt::format("{:.3g} %", 100.0 * margin) : "–", .tone = tone},
-             {.text = asked ? fmt::format("{:.3g} %", 100.0 * *asked) : "none"}}});
-    begin = end;
-  }
-  if (table.rows.empty()) return {};
-  return {result::line("Peaks of the unbalance response", result::Role::kHeading), table,
-          result::line("Of peaks at nearly one speed the largest. AF: amplification factor of API "
-                       "684; margin: how far the scene's speed lies from the peak, beside what API "
-                       "617 asks for: nothing where AF is below 2.5, which is critically damped.")};
 }
 
 json stiffness_data(const scene::Scene& scene) {

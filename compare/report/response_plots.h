@@ -3,9 +3,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <vector>
 
-#include "compare/result/result.h"
 #include "native_model/linear/stiffness_map.h"
 #include "native_model/scene/scene.h"
 
@@ -15,14 +13,11 @@ namespace rotorub {
 // smallest of all contacts, or null, "clearance_of": words for it, "limit": [um] that API 617
 // permits with controlled magnetic bearings, or null, "curves": [{"name", "plane": "x", "y", or ""
 // with isotropic planes, "amplitude": [um], "phase": [deg], "peaks": [{"speed", "amplitude",
-// "phase", "factor": or null}]}]} up to top (rad/s). The phase continues beyond half a turn; values
-// without a steady response are null. The result is null if nothing rotates with the spin.
+// "phase", "factor": AF, or null, "margin": the share of the scene's speed by
+// which API 617 wants it away, or null}]}]} up to top (rad/s). The phase continues beyond half a
+// turn; values without a steady response are null. The result is null if nothing rotates with the
+// spin.
 nlohmann::json bode_data(const scene::Scene& scene, double top);
-
-// The page's table of peaks, from bode_data; nothing without a peak. Of several peaks at nearly the
-// same speed the largest is listed, with its station, its distance from the scene's speed and the
-// distance that API 617 requires.
-std::vector<result::Part> peak_parts(const nlohmann::json& bode);
 
 // For each critical speed map (stiffness_map.h): {"title", "words": how to read it, "stiffness":
 // [N/m], "own": N/m, "of": words for the axis, "curves": [[rpm] of the k-th critical speed, null if

@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compare/base/format.h"
@@ -15,6 +17,7 @@
 #include "compare/report/page_frame.h"
 #include "compare/report/plot_points.h"
 #include "compare/result/result.h"
+#include "compare/sweep/answer.h"
 #include "compare/sweep/group_statistics.h"
 #include "compare/sweep/linear_map.h"
 
@@ -48,16 +51,6 @@ json field(const Statement& row, int column, double per_si) {
   return rounded(per_si * row.number(column));
 }
 
-// Index of each key's value in its list, for point `index` of a grid.
-std::vector<std::int64_t> places(const sweep::Study& study, std::int64_t index) {
-  std::vector<std::int64_t> all(study.vary.size());
-  for (std::size_t k = study.vary.size(); k-- > 0;) {
-    all[k] = index % study.vary[k].count;
-    index /= study.vary[k].count;
-  }
-  return all;
-}
-
 json keys_of(const sweep::Study& study, bool grid) {
   return list_of(study.vary, [&](const Vary& vary) {
     const ShownUnit unit = shown_unit(vary.unit);
@@ -79,64 +72,35 @@ json figures_json() {
   });
 }
 
-// The first points that failed.
+// The points that failed, by their reason.
 Section failures(sweep::Store& store, const sweep::Study& study) {
   constexpr std::size_t kListed = 50;
   const int status = static_cast<int>(study.vary.size()) + 1;
-  result::Table table{.columns = {{.heading = "point", .width = -8}}};
-  for (const Vary& vary : study.vary)
-    table.columns.push_back({.heading = name_and_unit(vary.key, vary.unit), .width = -28});
-  table.columns.push_back({.heading = "status", .width = -20});
-  table.columns.push_back({.heading = "reason"});
-  store.each([&](const Statement& row) {
-    if (table.rows.size() >= kListed || row.text(status) == "ok") return;
-    std::vector<Item>& items = table.rows.emplace_back().items;
-    items.push_back({.text = std::to_string(row.whole(0))});
-    for (int k = 1; k < status; ++k) {
-      items.push_back(
-          {.text = row.is_text(k) ? row.text(k) : fmt::format("{:.6g}", row.number(k))});
-    }
-    items.push_back({.text = row.text(status)});
-    items.push_back({.text = row.text(status + 1)});
-  });
-  const bool any = !table.rows.empty();
-  return {.parts = {result::line("Points that failed", Role::kHeading), std::move(table),
-                    Sentence{.text = any ? "At most fifty are listed; results.csv has all of them."
-                                         : "none"}}};
-}
-
-json cards_of(sweep::Store& store) {
-  const auto counts = store.count_by_status();
-  const std::int64_t all = store.count();
-  const auto ok = counts.contains("ok") ? counts.at("ok") : 0;
-  std::vector<std::string> others, kinds;
-  for (const auto& [status, count] : counts)
-    if (status != "ok") others.push_back(fmt::format("{} {}", count, status));
-  std::map<std::string, std::int64_t> attractors;
-  std::optional<double> peak;
-  std::int64_t peak_point = 0;
-  const auto names = store.names();
-  const auto at = [&](const char* name) {
-    return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+  struct Failure {
+    std::int64_t points, first;
   };
-  const int impulse = at("peak_impulse"), attractor = at("attractor");
+  std::map<std::pair<std::string, std::string>, Failure> failed;
   store.each([&](const Statement& row) {
-    if (!row.is_nothing(attractor)) ++attractors[row.text(attractor)];
-    if (row.is_nothing(impulse) || (peak && *peak >= row.number(impulse))) return;
-    peak = row.number(impulse);
-    peak_point = row.whole(0);
+    if (row.text(status) == "ok") return;
+    const std::pair key(row.text(status), row.text(status + 1));
+    ++failed.try_emplace(key, Failure{0, row.whole(0)}).first->second.points;
   });
-  for (const auto& [name, count] : attractors) kinds.push_back(fmt::format("{} {}", count, name));
-  const auto joined = [](const auto& words) { return fmt::format("{}", fmt::join(words, ", ")); };
-  return {
-      card("Points", ok == all ? "good" : "bad", fmt::format("{} of {} ran to their end", ok, all),
-           others.empty() ? "none failed" : joined(others)),
-      card("Attractors", "",
-           attractors.size() == 1 ? "the same everywhere"
-                                  : fmt::format("{} kinds", attractors.size()),
-           joined(kinds)),
-      card("Largest impact", "", peak ? fmt::format("{:.4g} N s", *peak) : "none",
-           peak ? fmt::format("point {}", peak_point) : "")};
+  if (failed.empty()) return {};
+  result::Table table{.columns = {{.heading = "points", .width = 8},
+                                  {.heading = "first", .width = 8},
+                                  {.heading = "status", .width = -20},
+                                  {.heading = "reason"}}};
+  for (const auto& [why, failure] : failed) {
+    if (table.rows.size() == kListed) break;
+    table.rows.push_back({.items = {{.text = std::to_string(failure.points)},
+                                    {.text = std::to_string(failure.first)},
+                                    {.text = why.first},
+                                    {.text = why.second}}});
+  }
+  return {.parts = {result::line("Points that failed", Role::kHeading), std::move(table),
+                    result::line(failed.size() > kListed
+                                     ? "The first fifty reasons; results.csv has all points."
+                                     : "results.csv has all points.")}};
 }
 
 json runs_json(const PointRuns& runs, std::int64_t points) {
@@ -209,16 +173,14 @@ json sweep_plots(const sweep::PointScenes& scenes, sweep::Store& store, const sw
   const bool grid = study.kind == SampleKind::kGrid && every == 1;
   const auto columns = sweep::result_columns();
   const std::size_t keys = study.vary.size();
-  json values(keys, json::array()), figures(columns.size(), json::array()), status = json::array();
+  json values(grid ? 0 : keys, json::array()), figures(columns.size(), json::array());
+  json status = json::array();
   std::vector<std::string> statuses{"ok"};
   store.each([&](const Statement& row) {
-    const std::int64_t point = row.whole(0);
-    if (point % every != 0) return;
-    const auto place = grid ? places(study, point) : std::vector<std::int64_t>();
-    for (std::size_t k = 0; k < keys; ++k) {
-      const int column = static_cast<int>(k) + 1;
-      values[k].push_back(grid ? json(place[k])
-                               : field(row, column, shown_unit(study.vary[k].unit).per_si));
+    if (row.whole(0) % every != 0) return;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      values[k].push_back(
+          field(row, static_cast<int>(k) + 1, shown_unit(study.vary[k].unit).per_si));
     }
     const std::string word = row.text(static_cast<int>(keys) + 1);
     const auto found = std::find(statuses.begin(), statuses.end(), word);
@@ -229,28 +191,24 @@ json sweep_plots(const sweep::PointScenes& scenes, sweep::Store& store, const sw
           field(row, static_cast<int>(keys + 3 + k), shown_unit(columns[k].unit).per_si));
     }
   });
-  return {{"kind", grid ? "grid" : "marks"},
-          {"keys", keys_of(study, grid)},
-          {"figures", figures_json()},
-          {"values", values},
-          {"columns", figures},
-          {"status", status},
-          {"statuses", statuses},
-          {"every", every}};
+  json plots{{"kind", grid ? "grid" : "marks"},
+             {"keys", keys_of(study, grid)},
+             {"figures", figures_json()},
+             {"columns", figures},
+             {"status", status},
+             {"statuses", statuses},
+             {"every", every}};
+  if (!grid) plots["values"] = values;
+  return plots;
 }
 
 json sweep_json(const sweep::PointScenes& scenes, sweep::Store& store, const sweep::Study& study) {
   json plots = sweep_plots(scenes, store, study);
   const sweep::LinearMap linear = sweep::linear_map(scenes);
-  const bool has_linear =
-      linear.any() && plots["kind"] == "grid" && plots["status"].size() == linear.points.size();
-  if (has_linear) add_linear(linear, plots);
+  if (linear.any() && plots["kind"] == "grid" && plots["status"].size() == linear.points.size())
+    add_linear(linear, plots);
   return {{"name", study.scene.stem().string()},
-          {"cards", cards_of(store)},
-          {"maps", has_linear ? figure_choices(
-                                    {"attractor", "peak_impulse", kLinearAttractors, kLinearGrowth})
-                              : figure_choices({"attractor", "peak_impulse"})},
-          {"linear", has_linear},
+          {"answer", sweep::answer_of(store, study)},
           {"linear_refused", linear.refused},
           {"plots", std::move(plots)}};
 }
@@ -258,37 +216,23 @@ json sweep_json(const sweep::PointScenes& scenes, sweep::Store& store, const swe
 std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
                        const sweep::Study& study, const json& kept, const PointRuns& runs,
                        const json& bifurcation) {
-  json plots = kept.at("plots");
-  plots["maps"] = kept.at("maps");
-  plots["runs"] = runs_json(runs, scenes.sample().size());
-  json parts = json::array();
-  const auto note = [&](const std::string& text) { parts.push_back({{"text", text}}); };
-  parts.push_back({{"cards", kept.at("cards")}});
-  if (const auto every = plots.at("every").get<std::int64_t>(); every > 1)
-    note(fmt::format("Only every {}th point is drawn; results.csv has all of them.", every));
-  if (!bifurcation.is_null())
-    parts.push_back({{"class", "plots"}, {"parts", {{{"plots", "bifurcation"}}}}});
-  parts.push_back({{"maps", 0}});
-  note("Click a point, or enter its number, to see how to rerun it.");
-  if (kept.at("linear")) {
-    note(
-        "Linear: which lasting rubs exist and are stable by their eigenvalues, without any run; "
-        "the spin is held, and each load acts for ever.");
-  }
-  const std::string refused = kept.at("linear_refused");
-  if (!refused.empty()) note("Linear map: " + refused + ".");
   Section found;
+  for (const std::string sentence : kept.at("answer"))
+    found.parts.emplace_back(Sentence{.text = sentence});
   if (study.statistics) found.add({statistics_of(store, study)});
   found.add({failures(store, study)});
-  json sheets = page_json(found);
-  sheets.push_back({{"figures", 0}});
-  sheets.push_back({{"summary", "The study"}, {"pre", study.text}});
-  sheets.push_back({{"summary", "The scene"}, {"pre", scenes.scene_text()}});
-  parts.push_back({{"class", "sheets"}, {"parts", sheets}});
-  json data{{"maps", {plots}}};
+  json plots = kept.at("plots");
+  plots["runs"] = runs_json(runs, scenes.sample().size());
+  json data{{"maps", {plots}},
+            {"linear_refused", kept.at("linear_refused")},
+            {"texts", {study.text, scenes.scene_text()}}};
   if (!bifurcation.is_null()) data["bifurcation"] = bifurcation;
-  return laid_out_page({kept.at("name"), "sweep", "What does it do, and where?"}, found, parts,
-                       std::move(data), "The results are in results.csv, in SI units.");
+  const std::string name = kept.at("name");
+  std::vector<std::string> keys;
+  for (const Vary& vary : study.vary) keys.push_back(vary.key);
+  return laid_out_page(
+      {name, "sweep", fmt::format("What does {} do over {}?", name, fmt::join(keys, " and "))},
+      found, "sweep", std::move(data), "The results are in results.csv, in SI units.");
 }
 
 }  // namespace rotorub

@@ -23,8 +23,8 @@ std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
                        const sweep::Study& study, const nlohmann::json& kept,
                        const PointRuns& runs = {}, const nlohmann::json& bifurcation = nullptr);
 
-// The values of the sweep for a report that shows it too (beside.h): "name", "cards", "maps"
-// (figure_choices() of linear_maps.h), "plots", and whether it has the linear figures.
+// The values of the sweep for a report that shows it too (beside.h): "name", "answer" (sentences of
+// sweep/answer.h), "plots" with the linear figures, and why there are none ("linear_refused").
 nlohmann::json sweep_json(const sweep::PointScenes& scenes, sweep::Store& store,
                           const sweep::Study& study);
 
@@ -33,8 +33,8 @@ nlohmann::json sweep_json(const sweep::PointScenes& scenes, sweep::Store& store,
 inline constexpr std::int64_t kMostDrawn = 50'000;
 
 // The data of the page's script: "kind" (grid, marks), "keys" and "figures" (name, unit, ...),
-// "values" (one list per key: indices of its values, or numbers), "columns" (one list per figure),
-// "status" (indices in "statuses").
+// "values" of marks (one list per key), "columns" (one list per figure), "status" (indices in
+// "statuses"). The points of a grid are in order, with the last key varying fastest.
 nlohmann::json sweep_plots(const sweep::PointScenes& scenes, sweep::Store& store,
                            const sweep::Study& study);
 

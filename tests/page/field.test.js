@@ -166,7 +166,9 @@ end = "20 ms"
   // The cell in the middle at the top: friction 0.2, restitution 0.8.
   const click = async () => {
     const box = await page.evaluate(() => {
-      const plot = document.querySelector('.map-set .plot'), {xaxis, yaxis} = plot._fullLayout, place = plot.getBoundingClientRect();
+      const plot = document.querySelector('.map-set .plot');
+      plot.scrollIntoView({block: 'center', behavior: 'instant'});
+      const {xaxis, yaxis} = plot._fullLayout, place = plot.getBoundingClientRect();
       const [trace] = plot.data;
       return {x: place.left + xaxis._offset + xaxis.d2p(trace.x[3]), y: place.top + yaxis._offset + yaxis.d2p(trace.y[3])};
     });

@@ -122,8 +122,9 @@ test('Campbell: both senses by colour and dash, 1x, 2x, torsion, critical speeds
     const [ray] = of(`${times}×`);
     assert.ok(Math.abs(ray.y[1] / ray.x[1] * 60 - times) < 1e-9, `${times}x`);
   }
-  assert.deepEqual(of('critical speed')[0].x, rotor.critical);
-  assert.ok(rotor.critical.every((n) => n >= x[0] && n <= x[1]));
+  const shown = rotor.critical.filter((n) => n <= rotor.top);
+  assert.deepEqual(of('critical speed')[0].x, shown);
+  assert.ok(shown.every((n) => n >= x[0] && n <= x[1]));
   assert.ok(rotor.torsion.length > 0);
   assert.deepEqual(of('torsion').map((t) => t.y), rotor.torsion.map((f) => [f, f]));
   assert.ok(lines.some(([type, a, b]) => type === 'line' && a === rotor.running && b === rotor.running));
@@ -135,23 +136,19 @@ test('Campbell: both senses by colour and dash, 1x, 2x, torsion, critical speeds
     for (const f of marks.y) assert.ok(branches.some((t) => Math.abs(at(t, rotor.running) / f - 1) < 1e-3), `${sense} at ${f} Hz`);
     assert.equal(marks.symbol, sense === 'forward' ? 'circle' : 'diamond-open');
   }
-  assert.ok(y[1] > Math.max(...rotor.critical) / 60);
+  assert.ok(y[1] > Math.max(...shown) / 60);
 });
 
 test('whirl shapes at the speed of the scene; of a modal rotor a word instead', async () => {
-  const {traces} = await drawn('#scene-2-rotor .plot[data-plot="whirl_shapes"]');
-  const shapes = traces.filter((t) => /^(forward|backward) \d/.test(t.name));
-  assert.equal(shapes.length, 8);
-  for (const shape of shapes) {
-    assert.equal(shape.dash, /^forward/.test(shape.name) ? 'solid' : 'dash');
-    assert.ok(Math.abs(Math.max(...shape.y.map(Math.abs)) - 1) < 1e-3);
-  }
+  await drawn('#scene-2-rotor .plot[data-plot="whirl_shapes"]');
+  const {notes, whirl} = await page.evaluate(() => ({whirl: window.page.data.scenes[1].rotor.shapes.whirl,
+    notes: document.querySelector('#scene-2-rotor .plot[data-plot="whirl_shapes"]').layout.annotations}));
+  assert.equal(whirl.length, 8);
+  assert.deepEqual(notes.filter(({text}) => text).map(({text}) => text.split(',')[0]), whirl.map(({sense, number}) => `${sense} ${number}`));
+  assert.equal(notes.filter(({showarrow}) => showarrow).length, 8, 'an arrow of its direction each');
   assert.equal(await page.locator('#scene-1-rotor .plot[data-plot="whirl_shapes"]').count(), 0);
   assert.match(await page.locator('#scene-1-rotor').textContent(), /No whirl shapes: the scene gives its modes/);
   assert.ok((await drawn('#scene-1-rotor .plot[data-plot="campbell"]')).traces.length > 4);
-  // A zoom in time draws the plots anew, and not what the reader has switched on.
-  await page.evaluate(() => Plotly.restyle(document.querySelector('#scene-2-rotor .plot[data-plot="whirl_shapes"]'), {visible: true}, [0, 1, 2, 3, 4, 5, 6, 7]));
-  assert.ok((await drawn('#scene-2-rotor .plot[data-plot="whirl_shapes"]')).traces.every((t) => t.visible === true));
 });
 
 test('speed against error from a kept bench', async () => {
@@ -164,7 +161,7 @@ test('speed against error from a kept bench', async () => {
   for (const [k, error] of shown.y.entries()) assert.ok(Math.abs(error / verlet[k].position_error - 1) < 1e-5);
   const event = traces.find((t) => t.name === 'native-event');
   assert.equal(event.x.length, 3, 'a series over the tolerances');
-  assert.ok((await drawn('[data-of="bench"][data-plot="step"]')).traces.some((t) => /native-verlet \(\d/.test(t.name)), 'with its order');
+  assert.ok((await drawn('[data-of="bench"][data-plot="step"]')).traces.some((t) => t.name === 'native-verlet'));
 });
 
 test('hard cases from a kept check', async () => {

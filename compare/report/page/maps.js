@@ -1,25 +1,27 @@
-// The maps of a sweep, of an optimisation or of a linear analysis, in `into`: a bar of axes, and for each of data.maps a
-// map with the list of figures that it can show. A grid is a picture of one pixel a cell, with marks that cannot be seen
+// The maps of a sweep, of an optimisation or of a linear analysis, in `into`: a bar of axes, and two or four maps, each
+// with the list of figures that it can show. A grid is a picture of one pixel a cell, with marks that cannot be seen
 // for the pointer; other points are marks of their own; one key is a curve. A figure may be "linear": computed for every
 // point, whether its run succeeded or not; and "signed": its colours part at 0.
 import {chosenPoint} from './chosen_point.js';
 import {element} from './layout.js';
 import {show} from './page.js';
-import {colourOfWord, colourScale, keyScale} from './scales.js';
-import {axes, css, layout, legendAbove, scaleOfColours, short} from './style.js';
+import {colourOfWord, colourScale, gridPlaces, keyScale, logTicks} from './scales.js';
+import {axes, css, growBy, layout, legendBelow, scaleOfColours, short} from './style.js';
 
+// The figures that maps show first, if they are there; otherwise the first two.
+const preferred = ['attractor', 'peak_impulse', 'linear: attractors', 'linear: rub, growth rate'];
 const ordinals = ['first', 'second', 'third', 'fourth'];
 
 export function mapsOf(into, data) {
-  const {keys, figures, columns, values, status, statuses} = data;
-  const grid = data.kind === 'grid';
+  const {keys, figures, columns, best, feasible, statuses = ['ok']} = data, grid = data.kind === 'grid';
+  const values = data.values || gridPlaces(keys), status = data.status || values[0].map(() => 0);
   const choice = {x: 0, y: Math.min(1, keys.length - 1), fixed: keys.map(() => 0)};
   const failed = '#7f7f7f';
   const isFailed = (f, i) => status[i] !== 0 && !figures[f].linear;
 
   // ------------------------------------------------------------------ axes
   const title = (key) => key.name + (key.unit ? ` / ${key.unit}` : '');
-  const scaleOf = (k) => (grid ? keyScale(keys[k]) : {at: (i) => values[k][i], axis: {type: keys[k].log ? 'log' : undefined}});
+  const scaleOf = (k) => (grid ? keyScale(keys[k]) : {at: (i) => values[k][i], axis: keys[k].log ? {type: 'log', ...logTicks(values[k])} : {}});
   const axisOf = (k, range) => axes(Object.assign({title: {text: title(keys[k]), standoff: 6}, zeroline: false},
     scaleOf(k).axis, range ? {range} : {}));
 
@@ -56,9 +58,11 @@ export function mapsOf(into, data) {
 
   // ------------------------------------------------------------------ plots
   function legendOf(colour, anyFailed) {
-    const entry = (name, color) => ({type: 'scatter', x: [null], y: [null], mode: 'markers', name, marker: {symbol: 'square', size: 12, color}});
+    const entry = (name, color, symbol = 'square') => ({type: 'scatter', x: [null], y: [null], mode: 'markers', name, marker: {symbol, size: 12, color}});
     return [...(colour.words || []).map((word) => entry(word, colourOfWord(word, colour.words))),
-      ...(anyFailed ? [entry('failed', failed)] : [])];
+      ...(anyFailed ? [entry('failed', failed, feasible ? 'x' : 'square')] : []),
+      ...(feasible?.includes(false) ? [entry('violates a constraint', css('--ink'), 'circle-open')] : []),
+      ...(typeof best === 'number' ? [entry('best', css('--ink'), 'star')] : [])];
   }
   function barOf(colour, figure) {
     if (colour.words) return {};
@@ -90,16 +94,18 @@ export function mapsOf(into, data) {
     const points = chosen(), column = columns[f], colour = colourScale(column, points, figures[f].signed);
     const x = scaleOf(choice.x), y = scaleOf(choice.y), anyFailed = points.some((i) => isFailed(f, i));
     const at = (scaleHere, k) => points.map((i) => scaleHere.at(grid ? values[k][i] : i));
-    const marker = Object.assign({size: grid ? 6 : 9, opacity: grid ? 0 : 0.9, color: points.map((i) =>
+    const symbol = feasible && points.map((i) => (i === best ? 'star' : status[i] ? 'x' : feasible[i] ? 'circle' : 'circle-open'));
+    const marker = Object.assign({...(feasible ? {symbol, line: {width: points.map((i) => (feasible[i] ? 0 : 2))}} : {}),
+      size: grid ? 6 : points.map((i) => (i === best ? 18 : 9)), opacity: grid ? 0 : 0.9, color: points.map((i) =>
       (isFailed(f, i) ? (colour.words || grid ? failed : null) : column[i] === null ? 'rgba(0,0,0,0)' :
         colour.words ? `rgb(${colour.of(column[i]).join()})` : colour.place(column[i])))}, barOf(colour, figures[f]));
     if (grid && !colour.words) marker.color = points.map((i) => (column[i] === null ? colour.low : colour.place(column[i])));
     const trace = {type: 'scatter', mode: 'markers', x: at(x, choice.x), y: at(y, choice.y), marker, showlegend: false,
       text: points.map((i) => words(i, f)), hovertemplate: '%{text}<extra></extra>'};
-    const entries = legendOf(colour, anyFailed);
+    const entries = legendOf(colour, anyFailed), {legend, height} = legendBelow(entries.map(({name}) => name), plot.clientWidth);
+    growBy(plot, height);
     showPoints(plot, points, {data: [trace, ...entries], layout: layout({hovermode: 'closest', hoverdistance: grid ? -1 : 20, showlegend: entries.length > 0,
-      legend: legendAbove(),
-      margin: {l: 64, r: 24, t: 30, b: 48}, images: grid ? [picture(points, f, colour, x, y)] : [],
+      legend, margin: {l: 64, r: 24, t: 10, b: 48 + height}, images: grid ? [picture(points, f, colour, x, y)] : [],
       xaxis: axisOf(choice.x, grid ? [x.from, x.to] : null), yaxis: axisOf(choice.y, grid ? [y.from, y.to] : null)})});
   }
 
@@ -114,7 +120,8 @@ export function mapsOf(into, data) {
   }
 
   // ------------------------------------------------------------------ what is chosen
-  const maps = data.maps.map(({first}, k) => {
+  const wanted = preferred.filter((name) => figures.some((figure) => figure.name === name));
+  const maps = (wanted.length ? wanted : figures.slice(0, 2).map(({name}) => name)).map((first, k) => {
     const list = element('select', {class: 'figure', 'aria-label': `figure of the ${ordinals[k]} map`});
     figures.forEach((figure, f) => {
       if (columns[f].some((v) => v !== null)) list.add(new Option(figure.name, f, false, figure.name === first));

@@ -1,5 +1,6 @@
 // The plots of a page's results, by the data that they show: titles, and words on how to read them. A plot stands on
 // the page if its data does.
+import {beyondText, rpmText} from './campbell.js';
 import {benchOf} from './precision.js';
 
 const mujocoErrors = ({series}) => series.flatMap(({family, points}) => points.filter(({limit}) => family === 'mujoco' && limit > 0));
@@ -7,9 +8,9 @@ const mujocoErrors = ({series}) => series.flatMap(({family, points}) => points.f
 const bench = ({benches}, index) => [
   {plot: 'precision', shape: 'wide tall', title: 'Error against time',
     text: 'to the left is faster, lower is more exact; hollow: it has settled to something else than the reference; dotted: the clearance'},
-  {plot: 'step', shape: 'tall', title: 'Error against step', text: 'in brackets the order, fitted'},
+  {plot: 'step', shape: 'tall', title: 'Error against step', text: 'colours and dashes as above; the table below has the fitted orders'},
   mujocoErrors(benchOf(benches[index])).length && {plot: 'limit', shape: 'tall', title: 'MuJoCo against its own limit',
-    text: 'solid: distance to its own finest step; dotted: to the reference. What stays between them no step takes away'},
+    text: 'colours as above; solid: distance to its own finest step; dotted: to the reference. No step removes the distance between them'},
 ];
 
 const decrement = {plot: 'decrement', title: 'Logarithmic decrement',
@@ -26,13 +27,14 @@ const bode = ({bode: shown}) => shown ? [
     'the right: a loop is a critical speed, passed a quarter turn behind the unbalance'},
 ] : [];
 
-const whirlShapes = ({shapes, words}) => shapes && {plot: 'whirl_shapes', shape: 'wide tall', title: `Whirl shapes at ${words.speed}`,
-  text: 'how the rotor is bent while it whirls freely, each drawn 1 high; forward solid, backward dashed; below them the rotor, thickness enlarged'};
+const whirlShapes = ({shapes, campbell}) => shapes && {plot: 'whirl_shapes', shape: 'wide tall', title: `Whirl shapes at ${rpmText(campbell.running)}`,
+  text: 'the bent rotor seen obliquely, without contact, each drawn equally large; arrows: the direction of the whirl, with the spin ' +
+    'counter-clockwise; thin: the paths of points along the shaft'};
 
 // The page of `rotorub modes`.
 const rotor = ({rotor: shown}) => [
-  {plot: 'campbell', shape: 'wide tall', title: 'Campbell diagram', text: `whirl frequencies up to ${shown.words.top}, forward solid, ` +
-    `backward dashed, the scene's speed dotted; where forward whirl meets 1×, unbalance resonates. ${shown.words.beyond}`},
+  {plot: 'campbell', shape: 'wide tall', title: 'Campbell diagram', text: `whirl frequencies up to ${rpmText(shown.campbell.top)}, forward solid, ` +
+    `backward dashed, coloured by damping, the scene's speed dotted; where forward whirl meets 1×, unbalance resonates. ${beyondText(shown.campbell)}`},
   {plot: 'damping', shape: 'low', title: 'Damping ratio', unit: '%', text: 'below 0 a whirl grows'},
   {...decrement, shape: 'low'},
   ...bode(shown),
@@ -45,8 +47,7 @@ const rotor = ({rotor: shown}) => [
 // The free rotor of a run, whose plots the clock's script draws.
 const whirl = ({rotor: shown}) => [
   {plot: 'campbell', shape: 'wide tall', title: 'Campbell diagram', text: 'whirl frequencies without contact, forward solid, backward ' +
-    `dashed; dotted upright: the scene's speed, ${shown.words.speed}, marks on it: where it whirls there; rings: critical speeds, where ` +
-    `unbalance resonates. ${shown.words.beyond}`},
+    `dashed, coloured by damping; dotted: the scene's speed, ${rpmText(shown.campbell.running)}, with marks where it whirls; rings: critical speeds, where unbalance resonates. ${beyondText(shown.campbell)}`},
   {...decrement, shape: 'wide low'},
   ...bode(shown),
   whirlShapes(shown),
@@ -65,10 +66,13 @@ const bifurcation = ({bifurcation: shown}) => [{plot: 'bifurcation', shape: 'wid
     'one of k turns, a cloud chaos or several frequencies. Dots upwards, rings downwards: where they differ, two motions stand side by side. ' +
     `Below, the largest Lyapunov exponent of the way up: above 0 neighbouring runs part, which is chaos. ${shown.note}`}];
 
-const kinds = {bench, rotor, whirl, loop, bifurcation};
+const convergence = () => [{plot: 'convergence', shape: 'wide', title: 'Convergence',
+  text: 'the value of each evaluation, and the best so far of those that meet the constraints'}];
+
+const kinds = {bench, rotor, whirl, loop, bifurcation, convergence};
 
 // Makes the table that says what each figure of a set of maps means.
-const figuresOf = ({figures}) => [{heading: 'Figures'}, {columns: ['name', 'unit here', 'meaning'].map((text) => ({text})),
+const figuresOf = ({figures}) => [{heading: 'Figures'}, {class: 'cards-when-small', columns: ['name', 'unit here', 'meaning'].map((text) => ({text})),
   rows: figures.map(({name, unit, meaning}) => ({cells: [name, unit, meaning]}))}];
 
 // Parts of a page (layout.js) with their plots: of {plots: kind, index} those for which `data` has the data; and of {figures:

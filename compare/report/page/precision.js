@@ -1,6 +1,7 @@
 // The log-log plots of a bench as plotly takes them, from a scene of bench.json.
 import {units} from './player/units.js';
-import {axes, css, layout, short} from './style.js';
+import {logTicks} from './scales.js';
+import {axes, css, growBy, layout, legendBelow, short} from './style.js';
 
 // The series of a scene with their points; errors in m, 0 for what is not known. The tolerances of an engine form one series.
 export function benchOf({clearance, engines, points, series}) {
@@ -40,30 +41,27 @@ function trace(scene, series, x, y, extra) {
     marker: {size: 8, symbol: points.map((p) => symbols[series.family] + (p.outcome === 'ok' ? '' : '-open')), color}}, extra);
 }
 
-// If there are many decades, every third has a label.
-function log(title, values) {
-  const given = values.filter((v) => v > 0), decades = Math.log10(Math.max(...given) / Math.min(...given));
-  return axes({type: 'log', title: {text: title, standoff: 6}, exponentformat: 'power', dtick: decades > 8 ? 3 : 1});
-}
+const log = (title, values) => axes({type: 'log', title: {text: title, standoff: 6}, ...logTicks(values)});
 const valuesOf = (list, key) => list.flatMap((s) => s.points.map((p) => p[key]));
 
-// key: speed against error, error against step, MuJoCo's distance from its own limit.
-export function precision(scene, key) {
+// key: speed against error, with the legend of all plots; error against step, MuJoCo's distance from its own limit.
+export function precision(scene, key, plot) {
   const stepped = scene.series.filter((s) => s.points.some((p) => p.step > 0));
   const mujoco = scene.series.filter((s) => s.family === 'mujoco' && s.points.some((p) => p.limit > 0));
   const line = (s, dash) => ({color: style(scene, s).color, width: 1.8, dash});
   const figures = {
     precision: () => [scene.series.map((s) => trace(scene, s, 'ms', 'error')),
       log('time of the whole run / ms', valuesOf(scene.series, 'ms')), log('largest position error / m', valuesOf(scene.series, 'error'))],
-    step: () => [stepped.map((s) => trace(scene, s, 'step', 'error', {name: named(s) + (s.order === null ? '' : ` (${s.order.toFixed(2)})`)})),
+    step: () => [stepped.map((s) => trace(scene, s, 'step', 'error')),
       log('step / s', valuesOf(stepped, 'step')), log('largest position error / m', valuesOf(stepped, 'error'))],
     limit: () => [mujoco.flatMap((s) => [trace(scene, s, 'step', 'limit', {line: line(s, 'solid')}),
-      trace(scene, s, 'step', 'error', {name: 'to the reference', showlegend: false, line: line(s, 'dot')})]),
+      trace(scene, s, 'step', 'error', {name: 'to the reference', line: line(s, 'dot')})]),
     log('step / s', valuesOf(mujoco, 'step')), log('distance / m', valuesOf(mujoco, 'limit'))],
   };
   const [traces, x, y] = figures[key]();
-  return {data: traces, layout: layout({hovermode: 'closest', showlegend: true, margin: {l: 70, r: 12, t: 8, b: 46}, xaxis: x, yaxis: y,
-    legend: {orientation: 'h', x: 0, y: -0.2, font: {color: css('--ink'), size: 11}},
+  const {legend, height} = legendBelow(key === 'precision' ? scene.series.map(named) : [], plot.clientWidth);
+  growBy(plot, height);
+  return {data: traces, layout: layout({hovermode: 'closest', showlegend: height > 0, margin: {l: 70, r: 12, t: 8, b: 46 + height}, xaxis: x, yaxis: y, legend,
     // The clearance: an error of that size is no result.
     shapes: [{type: 'line', xref: 'paper', x0: 0, x1: 1, y0: scene.clearance, y1: scene.clearance,
       line: {color: css('--bad'), width: 1, dash: 'dot'}}]})};

@@ -1,29 +1,23 @@
-// The free rotor as plotly takes it, from {campbell, shapes, bode, stiffness} (modes_page.h): here mode shapes at rest and
-// whirl shapes at speed.
+// The free rotor as plotly takes it, from {campbell, shapes, bode, stiffness} (modes_page.h): here mode shapes at rest.
 import {campbellFigure, dampingFigure, decrementFigure} from './campbell.js';
 import {bodeFigure, polarFigure, stiffnessFigure} from './response.js';
 import {axes, css, layout, legendAbove as legend, number} from './style.js';
+import {whirlShapesFigure} from './whirl_shapes.js';
 
 // ------------------------------------------------------------------ along the shaft
 const kinds = {disc: ['square', '--ink'], bearing: ['triangle-up', '--good'], contact: ['circle-open', '--bad'],
   drive: ['star', '--mode-4'], magnetic_bearing: ['diamond', '--mode-5'], force: ['arrow-bar-down', '--backward']};
 
 const length = (shapes) => shapes.z[shapes.z.length - 1];
-const alongShaft = (shapes, y, name, color, dash, visible, words = '') => ({x: shapes.z, y, name, type: 'scatter', mode: 'lines',
+const alongShaft = (shapes, y, name, color, dash, visible) => ({x: shapes.z, y, name, type: 'scatter', mode: 'lines',
   ...(visible ? {} : {visible: 'legendonly'}), line: {color: css(`--mode-${color}`), width: 2.2, dash},
-  hovertemplate: `z = %{x:.1f} mm: %{y:.3f}${words}<extra>${name}</extra>`});
+  hovertemplate: `z = %{x:.1f} mm: %{y:.3f}<extra>${name}</extra>`});
 const colorOf = (mode) => ((mode.number - 1) % 6) + 1;
 
 // At rest: colour the mode, dashes the plane y where it differs.
 const restTraces = (shapes) => shapes.modes.map((mode) => alongShaft(shapes, mode.shape,
   `mode ${mode.number}${shapes.same_planes ? '' : ` ${mode.plane}`}, ${number(mode.frequency, 4)} Hz`,
   colorOf(mode), mode.plane === 'y' ? 'dash' : 'solid', mode.number <= 4));
-
-// At speed: colour the mode, dashes backward whirl.
-const whirlTraces = (shapes) => shapes.whirl.map((mode) => alongShaft(shapes, mode.shape,
-  `${mode.sense} ${mode.number}, ${number(mode.frequency, 4)} Hz`, colorOf(mode),
-  mode.sense === 'backward' ? 'dash' : 'solid', mode.number <= 2,
-  mode.roundness < 0.999 ? `<br>half-axes 1 : ${mode.roundness.toFixed(3)}` : ''));
 
 const tallest = (shapes) => Math.max(...shapes.sections.flatMap((s) => [s.diameter / 2, s.end_diameter / 2]), ...shapes.discs.map((d) => d.radius || 0));
 const radiusAt = (shapes, z) => Math.max(0, ...shapes.sections.filter((s) => s.from <= z && z <= s.to).map((s) =>
@@ -84,7 +78,7 @@ function shaftFigure(shapes, lines, width) {
 const figures = {campbell: campbellFigure, damping: dampingFigure, decrement: decrementFigure,
   bode: bodeFigure, polar: polarFigure, stiffness: (rotor, _width, index) => stiffnessFigure(rotor, index),
   shapes: ({shapes}, width) => shaftFigure(shapes, restTraces(shapes), width),
-  whirl_shapes: ({shapes}, width) => shaftFigure(shapes, whirlTraces(shapes), width)};
+  whirl_shapes: ({shapes}, width) => whirlShapesFigure(shapes, width)};
 // width: px, of the plot; index: of a map of several. What the reader has switched off stays off when the page is drawn again.
 export function rotorFigure(rotor, key, width, index) {
   const figure = figures[key](rotor, width, index);

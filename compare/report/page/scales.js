@@ -33,6 +33,27 @@ export function colourScale(column, chosen, signed) {
   return {log, palette, low: place(low), high: place(low) + span, place, of: (v) => shade((place(v) - place(low)) / span, palette)};
 }
 
+// The places of the points of a whole grid, a list for each key; the last key varies fastest.
+export function gridPlaces(keys) {
+  const counts = keys.map(({values}) => values.length), all = counts.reduce((product, count) => product * count, 1);
+  let stride = all;
+  return counts.map((count) => {
+    stride /= count;
+    return Array.from({length: all}, (_, i) => Math.floor(i / stride) % count);
+  });
+}
+
+// Ticks of a logarithmic axis at 1, 2 and 5 of each decade; over several decades at 1 alone.
+export function logTicks(values) {
+  const given = values.filter((v) => v > 0), low = Math.min(...given), high = Math.max(...given), ticks = [];
+  const steps = high > 100 * low ? [1] : [1, 2, 5];
+  for (let decade = Math.floor(Math.log10(low)); given.length && decade <= Math.ceil(Math.log10(high)); ++decade)
+    ticks.push(...steps.map((step) => Number(`${step}e${decade}`)));
+  const isPlain = ticks.every((v) => v > 9e-4 && v < 2e7);
+  return {tickvals: ticks, ticktext: ticks.map((v) => (isPlain ? v.toLocaleString('en') : `${v.toExponential(0).split('e')[0] === '1' ? '' : `${v.toExponential(0)[0]}·`}` +
+    `10<sup>${String(Math.floor(Math.log10(v) + 1e-9)).replace('-', '−')}</sup>`))};
+}
+
 // Where the values of a grid's key stand: at themselves where they are even, else side by side.
 export function keyScale({values: list, even}) {
   const itself = even && list.length > 1;

@@ -3,6 +3,7 @@
 import {bifurcationFigure} from './bifurcation.js';
 import {loopFigure} from './loop.js';
 import {mapsOf} from './maps.js';
+import {convergenceFigure} from './optimum.js';
 import {data, inTurn, isPrinting, show, whenNear} from './page.js';
 import {benchOf, precision} from './precision.js';
 import {rotorFigure} from './rotor.js';
@@ -10,8 +11,9 @@ import {rotorFigure} from './rotor.js';
 // Keyed by the kind of plot, the value of data-of.
 const figures = {
   loop: (plot) => loopFigure(data.loops[plot.dataset.index], plot.dataset.plot),
+  convergence: (plot) => convergenceFigure(data.search, plot),
   bifurcation: () => bifurcationFigure(data.bifurcation),
-  bench: (plot) => precision(benchOf(data.benches[plot.dataset.index]), plot.dataset.plot),
+  bench: (plot) => precision(benchOf(data.benches[plot.dataset.index]), plot.dataset.plot, plot),
   rotor: (plot) => rotorFigure(data.rotor, plot.dataset.plot, plot.clientWidth, plot.dataset.index),
 };
 

@@ -24,6 +24,18 @@ export const legendAbove = (extra) => ({orientation: 'h', x: 0, y: 1.02, yanchor
 export const notesAbove = (notes, {l = 56, r = 12, t = 8, b = 40} = {}) => ({margin: {l, r, t: t + 15 * Math.ceil(notes.length / 2), b},
   annotations: notes.length ? [{xref: 'paper', yref: 'paper', x: 0, y: 1, xanchor: 'left', yanchor: 'bottom', align: 'left', showarrow: false, font: {size: 12},
     text: notes.map(({text, color}, k) => `${k === 0 ? '' : k % 2 ? ', ' : '<br>'}<span style="color:${color}">${text}</span>`).join('')}] : []});
+// A legend below the axis' title, in as many rows as its names need. height: what it adds to the margin below, and to the
+// plot's own, so that what is drawn keeps its size.
+export function legendBelow(names, width) {
+  const letter = onPaper() ? 5 : 7, columns = Math.max(1, Math.floor(width / (letter * Math.max(1, ...names.map(({length}) => length)) + 50)));
+  return {height: names.length ? 20 * Math.ceil(names.length / columns) : 0,
+    legend: {orientation: 'h', x: 0, xref: 'container', y: 0, yref: 'container', yanchor: 'bottom', font: {color: css('--ink'), size: onPaper() ? 7 : 11}}};
+}
+// Makes room for it.
+export function growBy(plot, height) {
+  plot.style.height = '';
+  if (height) plot.style.height = `${plot.clientHeight + height}px`;
+}
 // On a logarithmic axis.
 export const decades = {type: 'log', exponentformat: 'power', dtick: 1};
 

@@ -157,7 +157,7 @@ TEST(BenchPage, IsSelfContainedAndEscaped) {
   EXPECT_TRUE(page.starts_with("<!doctype html>"));
   EXPECT_TRUE(page.ends_with("</html>\n"));
   for (const char* part :
-       {"\"plots\":\"bench\"", "it \\u003cflew> away", "it &lt;flew&gt; away", "made-up processor",
+       {"\"kind\":\"bench\"", "it \\u003cflew> away", "it &lt;flew&gt; away", "made-up processor",
         "bouncing", "friction 0.1500", "0.4987", "no impact", "K 1e6", "Who is who"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
   }

@@ -7,7 +7,6 @@
 
 #include "compare/modes/result.h"
 #include "compare/modes/rotor_analysis.h"
-#include "compare/report/modes_page.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/said.h"
 
@@ -60,10 +59,6 @@ TEST(LossText, HasTheResponseBeforeAndAfter) {
   const std::string table = result::text_of(modes_result("blade", analysis));
   EXPECT_TRUE(contains(table, {"response at the contact, before the loss: 82.6 µm", "least gap",
                                "response at the contact, after the loss: 413 µm", "it touches"}));
-
-  EXPECT_TRUE(contains(
-      modes_page(scene, campbell_of(scene, analysis)),
-      {"Free orbit, before the loss, 2387.3 rpm", "Free orbit, after the loss, 2387.3 rpm"}));
 }
 
 TEST(LossText, IsOneResponseWhereNothingIsLost) {

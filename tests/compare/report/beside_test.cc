@@ -44,9 +44,9 @@ json kept_bench() {
 }
 
 const char* const kMap =
-    R"({"name": "ring", "cards": [], "maps": [{"first": "f"}], "plots": {
+    R"({"name": "ring", "answer": ["No contact everywhere."], "plots": {
   "kind": "grid", "keys": [{"name": "k", "unit": "", "even": true, "log": false, "values": [1, 2]}],
-  "figures": [{"name": "f", "unit": "N", "meaning": "m", "word": false}], "values": [[0, 1]],
+  "figures": [{"name": "f", "unit": "N", "meaning": "m", "word": false}],
   "columns": [[3, 4]], "status": [0, 0], "statuses": ["ok"], "every": 1}})";
 
 // The folders of a folder, in order of name: one section each.
@@ -81,10 +81,11 @@ TEST_F(BesideFolder, FindsWhatTheCommandsLeft) {
   EXPECT_EQ(cases.at(2).at("heading"), "fails:");
   EXPECT_EQ(cases.at(3).at("text"), "one, mujoco-cone: 2 > 1");
   ASSERT_EQ(beside.maps.size(), 1u);
-  EXPECT_EQ(beside.maps[0].at("maps"), json({{{"first", "f"}}}));
+  EXPECT_EQ(beside.maps[0].at("columns"), json({{3, 4}}));
   const json& maps = beside.parts.at("maps");
   ASSERT_EQ(maps.size(), 3u);
   EXPECT_EQ(maps[0].at("heading"), "ring");
+  EXPECT_EQ(maps[1].at("text"), "No contact everywhere.");
   EXPECT_EQ(maps[2], json({{"maps", 0}}));
 }
 
@@ -106,6 +107,10 @@ TEST_F(BesideFolder, RefusesWhatTheyDidNot) {
   cut.replace(cut.find("[3, 4]"), 6, "[3]");
   top.write("x/sweep.json", cut);
   EXPECT_NE(refusal().find("x/sweep.json"), std::string::npos) << refusal();
+  std::string wide = kMap;
+  wide.replace(wide.find("[1, 2]"), 6, "[1, 2, 3]");
+  top.write("x/sweep.json", wide);
+  EXPECT_NE(refusal().find("a grid of 3 cells has 2 points"), std::string::npos) << refusal();
   top.write("x/sweep.json", kMap);
   EXPECT_EQ(refusal(), "");
 }

@@ -2,13 +2,14 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {places} from '../../../compare/report/page/bifurcation.js';
-import {decrement} from '../../../compare/report/page/campbell.js';
+import {beyondText, dampingScale, decrement, stretches} from '../../../compare/report/page/campbell.js';
 import {lookAt, senseLines, senseWord, sweptSense} from '../../../compare/report/page/orbits.js';
 import {Run} from '../../../compare/report/page/player/run.js';
 import {alongCurve, letteredPeaks, placeOf, shownFirst} from '../../../compare/report/page/response.js';
 import {amplitudes, between, withinTurn} from '../../../compare/report/page/runup.js';
 import {exceedance, histogram, impulsesOf, measuredMinus, staircase, widthFor} from '../../../compare/report/page/spread.js';
 import {tradeOf} from '../../../compare/report/page/trade.js';
+import {inView, pathPoint} from '../../../compare/report/page/whirl_shapes.js';
 
 const near = (a, b, words) => assert.ok(Math.abs(a - b) <= 1e-9 * Math.max(1, Math.abs(b)), `${words}: ${a} is not ${b}`);
 const turn = 2 * Math.PI;
@@ -21,6 +22,31 @@ test('the decrement is the logarithm of one swing over the next', () => {
   }
   assert.equal(decrement(100), null, 'it swings no more');
   assert.equal(decrement(0), 0);
+});
+
+test('a Campbell diagram is coloured by damping where it differs, and what grows or does not swing has no colour', () => {
+  const piece = (sense, ...damping) => ({sense, damping});
+  assert.equal(dampingScale([piece('forward', 1, 1), piece('backward', 1.001), piece('overdamped', 100), piece('forward', -5)]), null);
+  const even = dampingScale([piece('forward', 0, 1), piece('backward', 2), piece('rigid', 400)]);
+  assert.deepEqual([even.low, even.high, even.level(0), even.level(1), even.level(2), even.level(-1)], [0, 2, 0, 4, 7, 0]);
+  const wide = dampingScale([piece('forward', 0.01, 10)]);
+  assert.deepEqual([wide.log, wide.level(0.011), wide.level(0.4), wide.level(10)], [true, 0, 4, 7]);
+  const {level} = even, curve = {speed: [0, 1, 2, 3, 4], damping: [0, 0, 2, 2, 0.1]};
+  assert.deepEqual(stretches(curve, level), [{level: 0, places: [0, 1]}, {level: 4, places: [1, 2, null, 3, 4]}, {level: 7, places: [2, 3]}]);
+});
+
+test('the words say what lies beyond the diagram', () => {
+  assert.equal(beyondText({top: 100, critical: [50], threshold: null}), '');
+  assert.equal(beyondText({top: 100, critical: [50, 150.4, 200], threshold: 300}),
+    'Beyond the diagram: 2 critical speeds, 150, 200 rpm. The threshold of stability, 300 rpm, lies beyond the diagram.');
+});
+
+test('a whirl shape in space turns with the spin if it is forward', () => {
+  const turns = (sense, roundness) => Math.sign([0, 0.1].map((angle) => pathPoint({sense, roundness}, 2, angle)).reduce(([a, b], [c, d]) => a * d - b * c));
+  assert.deepEqual([turns('forward', 1), turns('backward', 1), turns('backward', 0.2)], [1, -1, -1]);
+  assert.ok(Math.abs(pathPoint({sense: 'forward', roundness: 0.5}, 2, Math.PI / 2)[1] - 1) < 1e-12);
+  const [from, to] = [0, 1].map((z) => inView(z, 0, 0)[0]);
+  assert.deepEqual([from, to], [0, 1], 'the shaft is one long');
 });
 
 // Half-axes a, b of an ellipse that goes round so often.

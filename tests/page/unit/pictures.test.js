@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {gapAt, unrolledScale} from '../../../compare/report/page/player/unrolled.js';
 import {units} from '../../../compare/report/page/player/units.js';
-import {colourScale, countUntil, keyScale, opened, openedCurve, thinned} from '../../../compare/report/page/scales.js';
+import {colourScale, countUntil, gridPlaces, keyScale, logTicks, opened, openedCurve, thinned} from '../../../compare/report/page/scales.js';
 import {scaleOfColours, shade} from '../../../compare/report/page/style.js';
 import {heightFor} from '../../../compare/report/page/traces.js';
 
@@ -42,6 +42,18 @@ test('even values of a key stand at themselves, others side by side under their 
   const words = keyScale({values: ['a', 0.30000001, 'c'], even: false});
   assert.deepEqual(words.axis, {tickvals: [0, 1, 2], ticktext: ['a', '0.3', 'c']});
   assert.ok(keyScale({values: Array.from({length: 100}, (_, k) => k * k), even: false}).axis.tickvals.length <= 8);
+});
+
+test('in a grid the last key varies fastest', () => {
+  assert.deepEqual(gridPlaces([{values: [1, 2, 3]}, {values: ['a', 'b']}]), [[0, 0, 1, 1, 2, 2], [0, 1, 0, 1, 0, 1]]);
+  assert.deepEqual(gridPlaces([{values: [5, 6]}]), [[0, 1]]);
+});
+
+test('a logarithmic axis has a label at each decade, and between them if they are few', () => {
+  assert.deepEqual(logTicks([60, 700, null]).ticktext, ['10', '20', '50', '100', '200', '500', '1,000', '2,000', '5,000']);
+  assert.deepEqual(logTicks([1e-5, 2e-1, 0]).ticktext, [-5, -4, -3, -2, -1, 0].map((k) => `10<sup>${String(k).replace('-', '−')}</sup>`));
+  assert.equal(logTicks([2e-5, 3e-5]).ticktext[1], '2·10<sup>−5</sup>');
+  assert.deepEqual(logTicks([null]).tickvals, []);
 });
 
 test('counting until a value', () => {

@@ -4,7 +4,7 @@ import {test} from 'node:test';
 import {whirlParts, withPlots} from '../../../compare/report/page/plot_words.js';
 import {benchOf} from '../../../compare/report/page/precision.js';
 
-const words = {top: '900 rpm', speed: '600 rpm', beyond: ''};
+const campbell = {top: 900, running: 600, critical: [], threshold: null};
 const placesOf = ({plots}) => plots.map(({data}) => data);
 
 test('a plot stands where its data is', () => {
@@ -28,7 +28,7 @@ test('a bench has the points of each series that have an error', () => {
 });
 
 test('of the free rotor those that its scene allows', () => {
-  const rotor = {words, bode: null, shapes: null, stiffness: [{title: 'map', words: 'how'}]};
+  const rotor = {campbell, bode: null, shapes: null, stiffness: [{title: 'map', words: 'how'}]};
   const plotsOf = (shown) => withPlots([{plots: 'rotor'}], {rotor: shown})[0];
   assert.deepEqual(placesOf(plotsOf(rotor)), [{of: 'rotor', plot: 'campbell'}, {of: 'rotor', plot: 'damping'}, {of: 'rotor', plot: 'decrement'},
     {of: 'rotor', plot: 'stiffness', index: 0}]);
@@ -42,7 +42,7 @@ test('of the free rotor those that its scene allows', () => {
 test('the figures of a set of maps are a table', () => {
   const figures = [{name: 'force', unit: 'N', meaning: 'how hard'}];
   assert.deepEqual(withPlots([{figures: 0}, {maps: 0}], {maps: [{figures}]}), [{heading: 'Figures'},
-    {columns: [{text: 'name'}, {text: 'unit here'}, {text: 'meaning'}], rows: [{cells: ['force', 'N', 'how hard']}]}, {maps: 0}]);
+    {class: 'cards-when-small', columns: [{text: 'name'}, {text: 'unit here'}, {text: 'meaning'}], rows: [{cells: ['force', 'N', 'how hard']}]}, {maps: 0}]);
 });
 
 test('a bifurcation diagram says how its values begin', () => {
@@ -53,7 +53,7 @@ test('a bifurcation diagram says how its values begin', () => {
 
 test('a run says why it lacks a diagram or shapes', () => {
   assert.deepEqual(whirlParts({rotor: {refusal: 'no modes'}}), [{text: 'No Campbell diagram: no modes'}]);
-  const [{plots}, note] = whirlParts({rotor: {words, bode: null, shapes: null}});
+  const [{plots}, note] = whirlParts({rotor: {campbell, bode: null, shapes: null}});
   assert.deepEqual(plots.map(({data}) => data), [{over: 'rotor', plot: 'campbell'}, {over: 'rotor', plot: 'decrement'}]);
   assert.match(note.text, /^No whirl shapes: the scene gives its modes/);
 });

@@ -1,0 +1,46 @@
+// The pages of maps: of a sweep, of lasting rubs, and of feedback that calms them.
+import {answerOf, scenesText, sheetsOf, splitAtHeading} from './answer.js';
+import {short} from './style.js';
+
+const note = (text) => ({text});
+
+export function sweepParts({page, maps: [{every, figures}], linear_refused: refused, bifurcation, texts: [study, scene]}) {
+  const [answer, found] = splitAtHeading(page.parts);
+  return [answerOf(answer),
+    ...(every > 1 ? [note(`Only one in ${every} points is drawn; results.csv has all of them.`)] : []),
+    ...(bifurcation ? [{class: 'plots', parts: [{plots: 'bifurcation'}]}] : []),
+    {maps: 0}, note('Click a point, or enter its number, to see how to rerun it.'),
+    ...(figures.some(({linear}) => linear) ? [note('Linear: the lasting rubs that exist, and whether they are stable by their eigenvalues, ' +
+      'without any run. The spin is held, and each load acts for ever.')] : []),
+    ...(refused ? [note(`Linear map: ${refused}.`)] : []),
+    sheetsOf([...found.map((part) => (part.rows ? {...part, class: 'cards-when-small'} : part)), {figures: 0}, {summary: 'The study', pre: study}, {summary: 'The scene', pre: scene}])];
+}
+
+const mapParts = (cards, lead, {page, texts: [scene]}) => [{cards}, {lead}, {maps: 0}, sheetsOf([...page.parts, {figures: 0}, scenesText(scene)])];
+
+export function rubMapParts(data) {
+  const [{keys, columns: [attractors]}] = data.maps;
+  const card = (title, text, isSo) => ({title, headline: `${short(100 * attractors.filter(isSo).length / attractors.length)} %`, text});
+  const has = (state) => (word) => word?.split(' + ').includes(state);
+  return mapParts([
+    card('Synchronous rub stable', 'The rotor slides round in step with its load.', has('synchronous rub')),
+    card('Backward whip stable', 'The rotor slides round against the spin.', has('backward whip')),
+    card('Rolling possible', 'Once there, the rotor rolls round against the spin, and the contact force is high.', has('rolling')),
+    card('Nothing stable but rolling', 'A rotor that does not roll keeps bouncing.', (word) => word === 'none stable' || word === 'rolling')],
+  `Steady rubs of rotor and ring over ${keys.map(({name}) => name).join(' and ')}, each judged by the eigenvalues of its small perturbations ` +
+    'with contact kept. The spin is held, and where it changes each load keeps its ratio to it. Where several are stable, the start decides; ' +
+    'where only rolling is, a rotor that does not roll bounces. A stable rub may still be out of reach: these maps know nothing of impacts.', data);
+}
+
+export function feedbackMapParts(data) {
+  const [{keys: [speeds, feedbacks], columns: [growth]}] = data.maps, each = feedbacks.values.length, all = speeds.values.length;
+  const count = (isSo) => `at ${speeds.values.filter((_, k) => isSo(growth.slice(k * each, (k + 1) * each))).length} of ${all} speeds`;
+  const calm = (value) => value !== null && value < 0;
+  return mapParts([
+    {title: 'Some k makes the forced rub stable', headline: count((row) => row.some(calm)),
+      text: 'At the other speeds no such rub lasts, or no k calms it.'},
+    ...(feedbacks.values[0] === 0 ? [{title: 'It is stable without feedback', headline: count(([first]) => calm(first)),
+      text: 'There feedback only makes it decay faster.'}] : [])],
+  'The forced rub of the scene\'s friction with the force u = -k e_z x q\' on the ring, q\' the ring\'s velocity, in its closed loop, over spin ' +
+    'speed and k: judged by the eigenvalues of its small perturbations with contact kept. The rule is the k under which it decays fastest.', data);
+}
