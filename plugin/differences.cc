@@ -80,6 +80,4 @@ Transition transition(const mjModel* m, const mjData* d, double eps) {
   return out;
 }
 
-bool differentiating() { return Differentiating::in_this_thread(); }
-
 }  // namespace rotorub::plugin

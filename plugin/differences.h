@@ -32,7 +32,4 @@ struct Transition {                           // for one step; row by row
 // eps > 0, in the unit of each entry of y and u. d does not change.
 Transition transition(const mjModel* m, const mjData* d, double eps = 1e-8);
 
-// True while the steps of `transition` run in this thread.
-bool differentiating();
-
 }  // namespace rotorub::plugin

@@ -124,7 +124,8 @@ void refresh_velocity_stage(const Config& config, const mjModel* m, mjData* d) {
 }
 
 // Writes the command of the scene's controller and applies the contacts of this pass.
-void apply_command_and_contacts(const Config& config, const mjModel* m, mjData* d) {
+void apply_command_and_contacts(const Config& config, const mjModel* m, mjData* d,
+                                PassMotion& motion) {
   if (config.takes_native_steps()) {
     try {
       apply_verlet(config, m, d, Coordinates(config, d));
@@ -133,20 +134,20 @@ void apply_command_and_contacts(const Config& config, const mjModel* m, mjData* 
     }
     fill_sensors(config, m, d, mjSTAGE_VEL);
   } else {
-    if (!config.own) write_command(config, m, d, Coordinates(config, d));
-    apply_contacts(config, m, d);
+    if (!config.own) write_command(config, m, d);
+    apply_contacts(config, m, d, motion);
   }
   if (config.own) {
-    fill_sensors_in_control(config, m, d);
+    fill_sensors_in_control(config, m, d, motion);
   } else if (config.has_rigid()) {
     fill_sensors(config, m, d, mjSTAGE_ACC);
   }
 }
 
 bool has_escaped(const Config& config, mjData* d) {
-  if (!config.has_rigid()) return false;
   return std::any_of(config.pairs.begin(), config.pairs.end(), [d](const ContactPair& pair) {
-    return EscapeGuard(contact_entries(pair, d).status).is_outside();
+    return pair.contact_model == scene::ContactModel::kRigid &&
+           EscapeGuard(contact_entries(pair, d).status).is_outside();
   });
 }
 
@@ -157,9 +158,10 @@ void run_control_stage(const Config& config, const mjModel* m, mjData* d) {
     return;
   }
   watch_solver(config, m, d);
-  forget_written_contacts(config, m, d);
-  apply_command_and_contacts(config, m, d);
-  remember_places(config, m, d);
+  PassMotion motion(config, m, d);
+  forget_written_contacts(config, m, d, motion);
+  apply_command_and_contacts(config, m, d, motion);
+  remember_places(config, d, motion);
   note_solved_contacts(config, m, d);
   seal_block(config, d);
   mark_active(config, d, (!config.has_contact() || contact_enabled(m)) && !has_escaped(config, d));
@@ -223,7 +225,6 @@ void passive_pass(const mjModel* m, mjData* d) {
 void control_pass(const mjModel* m, mjData* d) {
   const Config* config = find_config(m, d);
   if (!config || control_skipped(m) || refused_options(*config, m)) return;
-  keep_callbacks();
   if (!block_is_ours(*config, d)) {
     refuse_clash(*config, m);
     return;

@@ -96,6 +96,7 @@ ROTORUB_EXPORT void mj_step1(const mjModel* m, mjData* d) {
   static const auto step = original<Pass>("mj_step1");
   keep(m, d);
   step(m, d);
+  plugin::allow_edits(m, d);
 }
 
 // Called by mj_step, mj_forward and the integrators.

@@ -1,8 +1,8 @@
 #include "plugin/sensors.h"
 
 #include "native_model/model/dynamics.h"
+#include "native_model/scene/mujoco.h"
 #include "plugin/contact/contact_memory.h"
-#include "plugin/contact/contact_space.h"
 #include "plugin/contact/relative_motion.h"
 #include "plugin/contact/verlet.h"
 #include "plugin/model/control.h"
@@ -39,30 +39,30 @@ bool in_native_coordinates(const Config& config, const ContactPair& pair) {
   return !config.own && (pair.bearing == 0 || pair.further);
 }
 
-void fill_gap(const Config& config, const ContactPair& pair, mjData* d) {
+void fill_gap(const Config& config, const ContactPair& pair, PairMotion& motion, mjData* d) {
   const SensorAddresses& s = pair.sensors;
   if (s.gap < 0 && s.gap_scaled < 0) return;
   const double clearance = pair.contact.clearance;
   const double delta =
       in_native_coordinates(config, pair)
           ? separation(config.model, Coordinates(config, d).q(), pair.bearing).norm()
-          : position_of(pair, d).norm();
+          : motion.place().d.norm();
   put(d, s.gap, clearance - delta);
   put(d, s.gap_scaled, (clearance - delta) / clearance);
 }
 
-ContactPoint point_of(const Config& config, const ContactPair& pair, const mjModel* m,
+ContactPoint point_of(const Config& config, const ContactPair& pair, PairMotion& motion,
                       const mjData* d) {
-  if (!in_native_coordinates(config, pair)) return contact_point_of(pair, m, d);
+  if (!in_native_coordinates(config, pair)) return motion.point();
   const Coordinates state(config, d);
   const double* v = config.takes_native_steps() ? velocities_of_pass(config, d) : state.v();
   return contact_point(config.model, state.q(), v, pair.bearing);
 }
 
-void fill_rates(const Config& config, const ContactPair& pair, const mjModel* m, mjData* d) {
+void fill_rates(const Config& config, const ContactPair& pair, PairMotion& motion, mjData* d) {
   const SensorAddresses& s = pair.sensors;
   if (s.gap_rate < 0 && s.slip < 0) return;
-  const ContactPoint point = point_of(config, pair, m, d);
+  const ContactPoint point = point_of(config, pair, motion, d);
   put(d, s.gap_rate, point.gap_rate);
   put(d, s.slip, point.slip);
 }
@@ -101,11 +101,12 @@ void mark_active(const Config& config, mjData* d, bool acts) {
   put_active(config, d);
 }
 
-void fill_sensors_in_control(const Config& config, const mjModel* m, mjData* d) {
+void fill_sensors_in_control(const Config& config, const mjModel* m, mjData* d,
+                             PassMotion& motion) {
   for (const ContactPair& pair : config.pairs) {
-    if (pair.sensors.gap_in_control) fill_gap(config, pair, d);
-    if (pair.sensors.rates_in_control) fill_rates(config, pair, m, d);
-    if (config.own) fill_forces(pair, m, d);
+    if (pair.sensors.gap_in_control) fill_gap(config, pair, motion.of(pair), d);
+    if (pair.sensors.rates_in_control) fill_rates(config, pair, motion.of(pair), d);
+    if (config.own && !scene::is_cone(pair.contact_model)) fill_forces(pair, m, d);
   }
 }
 
@@ -117,18 +118,20 @@ void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage) 
   }
   if (stage == mjSTAGE_VEL && config.shadow) fill_shadow_sensors(config, d);
   for (const ContactPair& pair : config.pairs) {
-    if (stage == mjSTAGE_POS) fill_gap(config, pair, d);
-    if (stage == mjSTAGE_VEL) fill_rates(config, pair, m, d);
+    PairMotion motion(pair, m, d);
+    if (stage == mjSTAGE_POS) fill_gap(config, pair, motion, d);
+    if (stage == mjSTAGE_VEL) fill_rates(config, pair, motion, d);
     if (stage == mjSTAGE_ACC) fill_forces(pair, m, d);
   }
 }
 
 void refill_sensors(const Config& config, const mjModel* m, mjData* d) {
+  if (mjVERSION_HEADER < 300) return;
   put_active(config, d);
-  fill_sensors_in_control(config, m, d);
+  PassMotion motion(config, m, d);
+  fill_sensors_in_control(config, m, d, motion);
   if (config.own) return;
-  const bool cleared = mjVERSION_HEADER >= 300;
-  if (cleared && config.shadow) fill_sensors(config, m, d, mjSTAGE_VEL);
+  if (config.shadow) fill_sensors(config, m, d, mjSTAGE_VEL);
   if (!config.has_soft()) fill_sensors(config, m, d, mjSTAGE_ACC);
 }
 

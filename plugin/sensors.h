@@ -3,6 +3,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include "plugin/contact/relative_motion.h"
 #include "plugin/model/config.h"
 
 namespace rotorub::plugin {
@@ -17,10 +18,10 @@ void mark_active(const Config& config, mjData* d, bool acts);
 // of `rigid`, which are known then.
 void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage);
 
-// For sensors that ask for another stage than the one in which MuJoCo could know them, and for all
-// forces of a user's own model: fills them in mjcb_control, whatever stage they ask for. (The
-// forces of `cone`, which MuJoCo's solver finds later, are filled again at mjSTAGE_ACC.)
-void fill_sensors_in_control(const Config& config, const mjModel* m, mjData* d);
+// For sensors that ask for another stage than the one in which MuJoCo could know them, and for the
+// forces of a user's own model except those of `cone`, which MuJoCo's solver finds later: fills
+// them in mjcb_control, whatever stage they ask for.
+void fill_sensors_in_control(const Config& config, const mjModel* m, mjData* d, PassMotion& motion);
 
 // Fills the sensors again that were filled before MuJoCo's last sensor stage: newer MuJoCo sets the
 // user sensors of a stage to 0 before it calls mjcb_sensor.

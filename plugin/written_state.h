@@ -5,21 +5,22 @@
 //
 // A state that was not written is where its own velocity brought it. MuJoCo's steps are
 // semi-implicit, so d - h d' is the place in the previous pass, up to h^2 / 2 times the
-// acceleration of centres that move on circles (contact/contact_space.h, turning_of). The distance
+// acceleration of centres that move on circles (contact/relative_motion.h, turning). The distance
 // |d - h d'| is compared with the one that was remembered while contact lasted. (The native step on
 // the modal chain compares the whole state, contact/verlet.h.)
 #pragma once
 
 #include <mujoco/mujoco.h>
 
+#include "plugin/contact/relative_motion.h"
 #include "plugin/model/config.h"
 
 namespace rotorub::plugin {
 
 // Call it before the contacts are solved. A written state ends every lasting contact.
-void forget_written_contacts(const Config& config, const mjModel* m, mjData* d);
+void forget_written_contacts(const Config& config, const mjModel* m, mjData* d, PassMotion& motion);
 
 // Call it after the contacts are solved. It remembers the place of each lasting contact.
-void remember_places(const Config& config, const mjModel* m, mjData* d);
+void remember_places(const Config& config, mjData* d, PassMotion& motion);
 
 }  // namespace rotorub::plugin

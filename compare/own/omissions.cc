@@ -232,8 +232,10 @@ class OmissionMeter {
 
   void look_at_mass(std::size_t k, const Matrix3d& turned) {
     plugin::ContactSpaces spaces(*setup_.config, m_, begin_.get());
+    const plugin::ContactPair& pair = setup_.config->pairs[k];
+    const plugin::ContactPlace place = plugin::contact_place(pair, begin_.get());
     const Matrix3d mujoco =
-        turned * spaces.add(setup_.config->pairs[k]).plane->admittance() * turned.transpose();
+        turned * spaces.add(pair, place).plane->admittance() * turned.transpose();
     const Matrix3d native = contact_admittance(model_, begin_->time, q_.data(), k);
     const Matrix3d change = mujoco - native;
     mass_ =

@@ -47,10 +47,10 @@ void set_friction_reference(const mjModel* m, mjData* d, const mjContact& contac
 // |z| is unknown before the solution. If none of several contacts slides in MuJoCo's solution
 // without a shift, that solution is Coulomb's and is kept. Otherwise each group of contacts that is
 // not coupled to other constraints or to other groups is solved exactly, with Coulomb's law
-// (disc_law.h). With other constraints, torsional or rolling friction, and MuJoCo's pyramids, whose
-// norm is max |z_i|, MuJoCo's solver is run repeatedly until the |z| of its solution equals the
-// shift. Nothing is remembered from step to step, so mj_forward may be repeated and a state may be
-// written, as with MuJoCo alone.
+// (disc_law.h). With other constraints, torsional or rolling friction, and a slip that is not along
+// a tangent of one of MuJoCo's pyramids, whose norm is max |z_i|, MuJoCo's solver is run repeatedly
+// until the |z| of its solution equals the shift. Nothing is remembered from step to step, so
+// mj_forward may be repeated and a state may be written, as with MuJoCo alone.
 
 struct SlidingContact {
   const mjContact* contact = nullptr;  // solved by MuJoCo: efc_address >= 0

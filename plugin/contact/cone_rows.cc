@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "native_model/contact/disc_law.h"
 #include "plugin/contact/constraint_probe.h"
@@ -64,7 +65,8 @@ class OwnCones {
     mj_solveM(m, d, solved_, columns_, static_cast<int>(n_));
   }
 
-  // Writes |z| of each contact to `shift`; false: there is no solution.
+  // Writes |z| of each contact to `shift`. False: there is no solution, or MuJoCo's rows have
+  // another one, because of torsional or rolling friction or of the corners of a pyramid.
   bool solve() {
     ContactMatrix a(n_, n_);
     ContactVector b(n_);
@@ -81,12 +83,15 @@ class OwnCones {
     const CoupledSolution s = solve_discs(a, b, std::span(sets).first(contacts_.size()));
     if (s.solutions == 0) return false;
     start_from(s.p);
+    bool exact = true;
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
-      const auto z = s.y.segment<2>(static_cast<Eigen::Index>(k) * kDirections + 1);
-      contacts_[k].shift =
-          is_pyramid(m_, *contacts_[k].contact) ? z.cwiseAbs().maxCoeff() : z.norm();
+      const auto first = static_cast<Eigen::Index>(k) * kDirections + 1;
+      const Eigen::Vector2d z = s.y.segment<2>(first), force = s.p.segment<2>(first);
+      const bool pyramid = is_pyramid(m_, *contacts_[k].contact);
+      contacts_[k].shift = pyramid ? z.cwiseAbs().maxCoeff() : z.norm();
+      exact = exact && contacts_[k].contact->dim == 3 && (!pyramid || is_on_edges(z, force));
     }
-    return true;
+    return exact;
   }
 
   // True if a row that belongs to none of them is coupled to them.
@@ -107,6 +112,14 @@ class OwnCones {
  private:
   static constexpr double kApart = 1e-20;  // squared cosine below which two rows are not coupled
 
+  // True if slip and friction are along one tangent of a pyramid, where it equals the disc.
+  static bool is_on_edges(const Eigen::Vector2d& z, const Eigen::Vector2d& force) {
+    constexpr double kNone = 1e-10;  // relative
+    const auto none = [&](Eigen::Index i) {
+      return std::abs(z[i]) <= kNone * z.norm() && std::abs(force[i]) <= kNone * force.norm();
+    };
+    return none(0) || none(1);
+  }
   const ConeRows& of(Eigen::Index i) const {
     return contacts_[static_cast<std::size_t>(i / kDirections)];
   }
@@ -184,11 +197,7 @@ std::vector<std::span<ConeRows>> groups_of(const mjModel* m, std::span<ConeRows>
 bool solve_group(const mjModel* m, mjData* d, std::span<ConeRows> group, bool alone) {
   if (group.size() > kMaxContacts) return false;
   OwnCones own(m, d, group);
-  const auto is_disc = [m](const ConeRows& c) {
-    return c.contact->dim == 3 && !is_pyramid(m, *c.contact);
-  };
-  return own.solve() && std::all_of(group.begin(), group.end(), is_disc) &&
-         (alone || !own.is_coupled());
+  return own.solve() && (alone || !own.is_coupled());
 }
 
 }  // namespace rotorub::plugin

@@ -29,8 +29,9 @@ double along(const mjModel* m, const ConeRows& rows, const mjtNum* y, int direct
 std::vector<std::span<ConeRows>> groups_of(const mjModel* m, std::span<ConeRows> cones);
 
 // Finds the shifts of a group by itself, from the free acceleration. Returns false if they are not
-// final: they are a first guess if other rows, a pyramid or other than sliding friction act, and
-// unchanged if the group is too large or has no solution. `alone`: there are no other rows.
+// final: they are a first guess if other rows, a slip across a pyramid or other than sliding
+// friction act, and unchanged if the group is too large or has no solution. `alone`: there are no
+// other rows.
 bool solve_group(const mjModel* m, mjData* d, std::span<ConeRows> group, bool alone);
 
 }  // namespace rotorub::plugin

@@ -127,7 +127,9 @@ class SuddenRows {
 bool constraints_couple(const mjModel* m, mjData* d, const ContactSpace& space,
                         std::span<const int> but) {
   bool any = false;
-  if (d->nefc == 0) return false;
+  if (std::count_if(but.begin(), but.end(), [](int row) { return row >= 0; }) == d->nefc) {
+    return false;
+  }
   for_each_coupled(m, d, space, [&](int row) {
     any = std::find(but.begin(), but.end(), row) == but.end();
     return !any;

@@ -6,7 +6,6 @@
 
 #include "native_model/contact/most_contacts.h"
 #include "native_model/scene/mujoco.h"
-#include "plugin/contact/contact_space.h"
 #include "plugin/contact/relative_motion.h"
 
 namespace rotorub::plugin {
@@ -132,7 +131,8 @@ double compliant_force(const ContactPair& pair, const ContactPoint& point, const
 
 void pass_without_contact(const ContactPair& pair, const mjModel* m, mjData* d) {
   auto& entry = entries<CompliantEntries>(d, pair.data);
-  const double clearance = pair.contact.clearance, gap = clearance - position_of(pair, d).norm();
+  const double clearance = pair.contact.clearance,
+               gap = clearance - contact_place(pair, d).d.norm();
   if (std::abs(gap) <= CompliantLaw::kOnCircle * clearance) {
     compliant_force(pair, contact_point_of(pair, m, d), m, d);
     return;

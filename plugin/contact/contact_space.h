@@ -14,6 +14,7 @@
 
 #include "native_model/contact/coupled_law.h"
 #include "native_model/contact/kinematics.h"
+#include "plugin/contact/relative_motion.h"
 #include "plugin/contact/step_matrix.h"
 #include "plugin/model/config.h"
 #include "plugin/model/mujoco_versions.h"
@@ -42,7 +43,7 @@ class ContactSpace {
     add_rows(jacobian_, load, to);
   }
   // The accelerations without the contact, J M^-1 f with f = qfrc_smooth.
-  virtual Eigen::Vector3d smooth() const { return rates(d_->qacc_smooth); }
+  Eigen::Vector3d smooth() const { return product(plain(), d_->qfrc_smooth); }
   // MuJoCo's solver supplies the normal force of a soft contact. These add what it does not supply
   // of the load normal + friction: the generalised force, by default J^T friction, and the
   // acceleration by that force.
@@ -72,7 +73,7 @@ class ContactSpace {
 
  protected:
   // `matrix` must outlive the space.
-  ContactSpace(const mjModel* m, mjData* d, const StepMatrix& matrix)
+  ContactSpace(const mjModel* m, mjData* d, StepMatrix& matrix)
       : d_(d), matrix_(matrix), nv_(count(m->nv)) {}
   virtual ~ContactSpace() = default;
 
@@ -90,7 +91,7 @@ class ContactSpace {
   }
 
   mjData* d_;
-  const StepMatrix& matrix_;
+  StepMatrix& matrix_;
   DofRange trees_[2];  // of rotor and ring; the second one is empty if they share a tree
   int nv_;
   mutable bool plain_known_ = false;
@@ -125,26 +126,6 @@ class ContactSpace {
 // step begins before the touch, rotor and ring still act on each other at a common point, so that
 // no angular momentum is lost.
 
-// The frame of the contact, with the columns x, y, z, stored row by row.
-const mjtNum* contact_axes(const ContactPair& pair, const mjData* d);
-// The rotor's centre relative to the ring's, along x and y of the contact's frame, m.
-Eigen::Vector2d position_of(const ContactPair& pair, const mjData* d);
-// True if rotor and ring overlap along the ring's axis.
-bool face_each_other(const ContactPair& pair, const mjData* d);
-
-// Where the rates of a contact are taken.
-struct ContactPlace {
-  const mjtNum* axes;
-  mjtNum ring_point[3];     // m, point of the ring's axis nearest to the rotor's centre
-  Eigen::Vector2d d;        // m, position_of
-  double ring_spin_factor;  // 1 + delta / r
-};
-ContactPlace contact_place(const ContactPair& pair, const mjData* d);
-// The part of d^2/dt^2 of `d` that exists without any acceleration of a coordinate, J' qvel, m/s^2.
-// It comes from centres that move on circles. Call it after MuJoCo's velocity stage.
-Eigen::Vector2d turning_of(const ContactPair& pair, const ContactPlace& place, const mjModel* m,
-                           const mjData* d);
-
 // kPlane: the rows above. kAxis: (velocity along the ring's axis, tilt rates about x and y)
 // instead, where the ring's tilt rate has the same factor as its spin. The contact's slip along the
 // axis is z' + r (e_r,y omega_x - e_r,x omega_y) (relative_motion.h).
@@ -160,7 +141,7 @@ inline Eigen::Vector3d axial_column(const Eigen::Vector2d& e_r, double radius) {
 class BodySpace final : public ContactSpace {
  public:
   BodySpace(const ContactPair& pair, const ContactPlace& place, const mjModel* m, mjData* d,
-            const StepMatrix& matrix, BodyRows rows = BodyRows::kPlane);
+            StepMatrix& matrix, BodyRows rows = BodyRows::kPlane);
 
  private:
   void add_body(const mjtNum* axes, const mjtNum* point, int body, double sign, double spin);
@@ -182,12 +163,10 @@ class ChainSpace final : public ContactSpace {
  public:
   // bearing: index in model.auxiliary.
   ChainSpace(const Config& config, std::size_t bearing, const mjModel* m, mjData* d,
-             const StepMatrix& matrix);
+             StepMatrix& matrix);
 
   // For MuJoCo's forces, which already contain the factor H0 (M(phi) + h D)^-1 (add_passive_force).
   Eigen::Vector3d response(const mjtNum* f) const override;
-  // With the masses of the native model, because MuJoCo's links weigh a little.
-  Eigen::Vector3d smooth() const override { return product(plain_, d_->qfrc_smooth); }
   void add_load(const Eigen::Vector3d& load, mjtNum* to) const override;
   void add_side(const Eigen::Vector3d& normal, const Eigen::Vector3d& friction,
                 mjtNum* to) const override;
@@ -237,13 +216,12 @@ class ContactSpaces {
   ContactSpaces(const ContactSpaces&) = delete;
   ContactSpaces& operator=(const ContactSpaces&) = delete;
 
-  // Where the rates of a pair are taken, and its spaces.
   struct PairSpaces {
-    ContactPlace place;
     const ContactSpace* plane;
     const ContactSpace* axial;  // null: no motion along the axis
   };
-  PairSpaces add(const ContactPair& pair);  // at most kMaxContacts
+  // place: of the pair in this pass. At most kMaxContacts.
+  PairSpaces add(const ContactPair& pair, const ContactPlace& place);
 
  private:
   struct Spaces {

@@ -74,9 +74,10 @@ Reference reference_of(const ContactPair& pair, const mjModel* m, const mjData* 
   return {-solref[0] / impedance, -solref[1] / impedance};
 }
 
-CoulombContact coulomb_contact(const ContactPair& pair, const ContactSpaces::PairSpaces& at,
+CoulombContact coulomb_contact(const ContactPair& pair, const ContactPlace& place,
+                               const Eigen::Vector2d& turning, const ContactSpaces::PairSpaces& at,
                                const mjModel* m, mjData* d, int row) {
-  const auto& [place, space, axial] = at;
+  const auto& [space, axial] = at;
   const double h = m->opt.timestep;
   Eigen::Vector3d rates = space->rates(d->qvel);
   rates.z() += pair.prescribed_spin;
@@ -84,7 +85,6 @@ CoulombContact coulomb_contact(const ContactPair& pair, const ContactSpaces::Pai
                                             pair.contact.radius, pair.contact.clearance);
   CoulombContact s{{space, axial, p.e_r, pair.contact.radius}, &pair, row, p};
   const double whirl = p.whirl_speed();
-  const Eigen::Vector2d turning = turning_of(pair, place, m, d);
   const double whirling = whirl * whirl / p.delta;
   s.curvature = whirling + p.e_r.dot(turning);
   // MuJoCo's a_ref with the gap rate at the time of the state. The velocity of a semi-implicit step
@@ -123,7 +123,6 @@ void look(CoulombContact& s, bool with_others, Free free, const mjModel* m, mjDa
 // leaves a force.
 double open_reference(double acceleration) { return acceleration - (1.0 + std::abs(acceleration)); }
 
-// The contacts of a pass.
 using CoulombContacts = ContactList<CoulombContact>;
 
 // Sets aref, from which MuJoCo's solver finds l = (aref - J a_smooth) / (J M^-1 J^T + R).
@@ -221,6 +220,18 @@ void note_status(const ClosedContacts& closed, bool converged, const mjModel* m,
   }
 }
 
+// Lets MuJoCo's solver start from its solution, where the contacts' forces change the acceleration.
+void start_solver_from(const mjtNum* change, const mjModel* m, mjData* d) {
+  const int nv = count(m->nv);
+  if (std::all_of(change, change + nv, [](mjtNum x) { return x == 0.0; })) return;
+  StackFrame room(d);
+  mjtNum* smooth = room.numbers(nv);
+  mj_solveM(m, d, smooth, d->qfrc_smooth, 1);
+  for (int i = 0; i < nv; ++i) {
+    if (change[i] != 0.0) d->qacc_warmstart[i] = smooth[i] + change[i];
+  }
+}
+
 void solve_free(CoulombContacts& contacts, const mjModel* m, mjData* d) {
   const auto response = [d](const ContactSpace& at) { return at.response(d->qfrc_smooth); };
   for (CoulombContact& s : contacts) look(s, contacts.size() > 1, response, m, d);
@@ -245,6 +256,7 @@ void solve_free(CoulombContacts& contacts, const mjModel* m, mjData* d) {
     return at.smooth() + at.rates(acceleration);
   };
   set_references(contacts, rates, d);
+  start_solver_from(acceleration, m, d);
 }
 
 // The same with constraints that act on the bodies. The contacts' own rows are kept inactive during
@@ -275,9 +287,8 @@ void solve_with_constraints(CoulombContacts& contacts, const mjModel* m, mjData*
 }
 
 // True if a further contact, which MuJoCo's solver does not contain, is near enough to be detected.
-bool is_detected(const Config& config, const ContactPair& pair, const mjModel* m, const mjData* d) {
-  const Coordinates state(config, d);
-  const double delta = separation(config.model, state.q(), pair.bearing).norm();
+bool is_detected(const ContactPair& pair, const ContactPlace& place, const mjModel* m) {
+  const double delta = place.d.norm();
   return contact_enabled(m) && delta > kNoNormal &&
          pair.contact.clearance - delta < detected_below(m, pair.pair);
 }
@@ -292,7 +303,7 @@ void note(const CoulombContact& s, mjData* d) {
 
 }  // namespace
 
-void apply_coulomb(const Config& config, const mjModel* m, mjData* d) {
+void apply_coulomb(const Config& config, const mjModel* m, mjData* d, PassMotion& motion) {
   std::optional<ContactSpaces> spaces;
   CoulombContacts contacts;
   ContactList<int> own;  // their rows
@@ -301,18 +312,20 @@ void apply_coulomb(const Config& config, const mjModel* m, mjData* d) {
     ContactEntries& entry = contact_entries(pair, d);
     entry.normal_force = entry.friction_force = 0.0;
     const mjContact* contact = find_contact(pair, d);
-    const bool detected = pair.further ? is_detected(config, pair, m, d) : contact != nullptr;
+    ContactPlace place = motion.of(pair).place();
+    if (pair.further) place.d = separation(config.model, Coordinates(config, d).q(), pair.bearing);
+    const bool detected = pair.further ? is_detected(pair, place, m) : contact != nullptr;
     if (!detected) entry.mode = 0.0;
     if (!detected && pair.contact.is_compliant()) pass_without_contact(pair, m, d);
     if (!detected || pair.contact_model != scene::ContactModel::kCoulomb) continue;
     if (contacts.empty()) {
-      compute_actuators(m, d);
-      mj_fwdAcceleration(m, d);
+      update_smooth_force(m, d);
       spaces.emplace(config, m, d);
     }
     const int row = pair.further ? kNoRow : contact->efc_address;
     own.push_back(row);
-    contacts.push_back(coulomb_contact(pair, spaces->add(pair), m, d, row));
+    const ContactSpaces::PairSpaces at = spaces->add(pair, place);
+    contacts.push_back(coulomb_contact(pair, place, motion.of(pair).turning(), at, m, d, row));
   }
   if (contacts.empty()) return;
   bool constrained = false;
@@ -322,6 +335,7 @@ void apply_coulomb(const Config& config, const mjModel* m, mjData* d) {
   }
   // The force of a compliant contact is known, whatever constraints act on its bodies.
   if (constrained && !contacts[0].compliant_force) {
+    mj_fwdAcceleration(m, d);
     solve_with_constraints(contacts, m, d);
   } else {
     solve_free(contacts, m, d);

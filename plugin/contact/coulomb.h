@@ -15,6 +15,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include "plugin/contact/relative_motion.h"
 #include "plugin/model/config.h"
 
 namespace rotorub::plugin {
@@ -22,6 +23,6 @@ namespace rotorub::plugin {
 // Called by apply_command_and_contacts() (passes.cc) after the command has been written. For pairs
 // of `coulomb`, adds the friction to d->qfrc_passive and sets the references of their rows. For
 // pairs of the cones, updates the entries in userdata.
-void apply_coulomb(const Config& config, const mjModel* m, mjData* d);
+void apply_coulomb(const Config& config, const mjModel* m, mjData* d, PassMotion& motion);
 
 }  // namespace rotorub::plugin

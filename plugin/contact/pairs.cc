@@ -6,7 +6,6 @@
 #include "native_model/scene/mujoco.h"
 #include "plugin/contact/cone.h"
 #include "plugin/contact/contact_memory.h"
-#include "plugin/contact/contact_space.h"
 #include "plugin/contact/coulomb.h"
 #include "plugin/contact/relative_motion.h"
 #include "plugin/contact/rigid.h"
@@ -26,8 +25,8 @@ void for_each_solved(const mjData* d, int geom1, int geom2, Action action) {
 // Compliant contact: a_ref = R N in the normal row, because MuJoCo's f = (a_ref - a) / R tends to N
 // as its impedance d tends to 0. Friction stops the slip within the step, as far as the cone
 // allows: a_ref = -v (1 - d) / (d h).
-void give_way(const ContactPair& pair, const mjModel* m, mjData* d, const mjContact& contact) {
-  const ContactPoint point = contact_point_of(pair, m, d);
+void give_way(const ContactPair& pair, const ContactPoint& point, const mjModel* m, mjData* d,
+              const mjContact& contact) {
   const double force = compliant_force(pair, point, m, d);
   const int row = contact.efc_address;
   const double impedance = m->pair_solimp[mjNIMP * pair.pair];
@@ -35,7 +34,7 @@ void give_way(const ContactPair& pair, const mjModel* m, mjData* d, const mjCont
   d->efc_aref[row] = d->efc_R[row] * force;
 }
 
-void apply_cones(const Config& config, const mjModel* m, mjData* d) {
+void apply_cones(const Config& config, const mjModel* m, mjData* d, PassMotion& motion) {
   const double stops_slip = 1.0 / m->opt.timestep;  // 1/s, B_t of corrected contacts
   std::vector<SlidingContact> corrected;
   for (const int pair : config.corrected_pairs) {
@@ -50,11 +49,11 @@ void apply_cones(const Config& config, const mjModel* m, mjData* d) {
       if (pair.prescribed_spin != 0.0 && c.dim >= 3)
         add_prescribed_slip(pair.contact.radius * pair.prescribed_spin, m, d, c);
       if (pair.contact.is_compliant()) {
-        give_way(pair, m, d, c);
+        give_way(pair, motion.of(pair).point(), m, d, c);
         corrected.push_back({&c, {}});
       } else if (pair.contact_model == scene::ContactModel::kConeCoulomb) {
         set_friction_reference(m, d, c, stops_slip);
-        const ContactPoint point = contact_point_of(pair, m, d);
+        const ContactPoint point = motion.of(pair).point();
         corrected.push_back({&c, point.whirl_speed() * point.whirl_speed() / point.delta});
       } else if (pair.friction_reference > 0.0) {
         set_friction_reference(m, d, c, pair.friction_reference);
@@ -66,23 +65,23 @@ void apply_cones(const Config& config, const mjModel* m, mjData* d) {
 
 }  // namespace
 
-void apply_contacts(const Config& config, const mjModel* m, mjData* d) {
+void apply_contacts(const Config& config, const mjModel* m, mjData* d, PassMotion& motion) {
   // The soft contacts come first, because `rigid` tries its loads on MuJoCo's solver, which
   // includes them like any other contact.
-  if (config.has_soft()) apply_coulomb(config, m, d);
-  apply_cones(config, m, d);
-  if (config.has_rigid()) apply_rigid(config, m, d);
+  if (config.has_soft()) apply_coulomb(config, m, d, motion);
+  apply_cones(config, m, d, motion);
+  if (config.has_rigid()) apply_rigid(config, m, d, motion);
 }
 
 int collide_exactly(const ContactPair& pair, const mjData* d, CollisionContact* con, int g1,
                     double margin) {
   const ContactParameters& c = pair.contact;
-  const Eigen::Vector2d p = position_of(pair, d);
-  const double delta = p.norm();
+  const ContactPlace place = contact_place(pair, d);
+  const double delta = place.d.norm();
   if (!(c.clearance - delta < margin) || delta <= kNoNormal) return 0;
-  if (!face_each_other(pair, d)) return 0;
-  const Eigen::Vector2d e = p / delta;
-  const mjtNum* axes = contact_axes(pair, d);
+  if (!face_each_other(pair, place)) return 0;
+  const Eigen::Vector2d e = place.d / delta;
+  const mjtNum* axes = place.axes;
   const mjtNum* rotor = d->geom_xpos + 3 * pair.rotor_geom;
   const double side = g1 == pair.rotor_geom ? 1.0 : -1.0;
   con->dist = c.clearance - delta;

@@ -12,6 +12,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include "plugin/contact/relative_motion.h"
 #include "plugin/model/config.h"
 #include "plugin/model/mujoco_versions.h"
 
@@ -19,7 +20,7 @@ namespace rotorub::plugin {
 
 // Called by apply_command_and_contacts() (passes.cc), when the results of the velocity stage are up
 // to date. Adds to d->qfrc_passive.
-void apply_contacts(const Config& config, const mjModel* m, mjData* d);
+void apply_contacts(const Config& config, const mjModel* m, mjData* d, PassMotion& motion);
 
 // MuJoCo's collision function of the pair: a disc in an exact ring. Fills con[0] if the gap is
 // below the pair's margin, and returns the number of contacts (0, 1). dist is the gap g_N

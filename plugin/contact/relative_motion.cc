@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plugin/contact/contact_space.h"
+#include "plugin/contact/step_matrix.h"
 #include "plugin/model/mujoco_dynamics.h"
 
 namespace rotorub::plugin {
@@ -94,16 +94,23 @@ bool slides_along_axis(const mjModel* m, const ContactPair& pair) {
 
 namespace {
 
-// Upper bound of the squared speed of a point for a unit squared speed in the metric of M, 1/kg.
+// Upper bound of the squared speed of a point for a unit squared speed in the metric of M, 1/kg: by
+// the body's own inertia, or, if the body only slides, by the masses of its joints, which on the
+// ring of a generated model are all the mass.
 double mobility(const mjModel* m, const mjData* d, int geom, const mjtNum* point) {
   const int body = m->geom_bodyid[geom];
   if (m->body_weldid[body] == 0) return 0.0;
-  const mjtNum* centre = d->xipos + 3 * body;
-  double arm = 0.0;
-  for (int i = 0; i < 3; ++i) arm += (point[i] - centre[i]) * (point[i] - centre[i]);
+  const double arm = (vector_at(point) - vector_at(d->xipos + 3 * body)).squaredNorm();
   const mjtNum* inertia = m->body_inertia + 3 * body;
-  return 1.0 / m->body_mass[body] +
-         (arm > 0.0 ? arm / std::min({inertia[0], inertia[1], inertia[2]}) : 0.0);
+  const double by_body = 1.0 / m->body_mass[body] +
+                         (arm > 0.0 ? arm / std::min({inertia[0], inertia[1], inertia[2]}) : 0.0);
+  double by_joints = 0.0;  // |v|^2 <= (sum of mass v_i^2) (sum of 1 / mass)
+  for (int i = last_dof(m, body); i >= 0; i = m->dof_parentid[i]) {
+    if (m->jnt_type[m->dof_jntid[i]] != mjJNT_SLIDE) return by_body;
+    // MuJoCo uses the armature of the last mj_setConst for a dof that it calls simple.
+    by_joints += 1.0 / (m->dof_simplenum[i] > 0 ? m->dof_M0[i] : m->dof_armature[i]);
+  }
+  return std::min(by_body, by_joints);
 }
 
 // The change of the velocities by loads and constraints per second, in the metric of M.
@@ -126,47 +133,88 @@ double change(const mjModel* m, mjData* d) {
   return std::sqrt(std::max(0.0, mju_dot(x, d->qfrc_smooth, nv))) + std::sqrt(cost);
 }
 
-// Rates of the rotor's centre seen from the ring, (relative x, relative y, spin) as in a BodySpace:
-// J qvel from MuJoCo's body velocities. Call it after MuJoCo's velocity stage.
-Eigen::Vector3d rates_of(const ContactPair& pair, const ContactPlace& place, const mjModel* m,
-                         const mjData* d) {
-  Eigen::Vector3d rates(0.0, 0.0, 0.0);
-  const auto add = [&](int body, const mjtNum* point, double sign, double spin) {
-    // Rotation, then translation of the body's point at its tree's centre of mass.
-    const mjtNum* velocity = d->cvel + 6 * body;
-    mjtNum arm[3], move[3];
-    mju_sub3(arm, point, d->subtree_com + 3 * m->body_rootid[body]);
-    mju_cross(move, velocity, arm);
-    for (int i = 0; i < 3; ++i) {
-      const double v = sign * (velocity[3 + i] + move[i]);
-      rates.x() += place.axes[3 * i] * v;
-      rates.y() += place.axes[3 * i + 1] * v;
-      rates.z() += place.axes[3 * i + 2] * sign * spin * velocity[i];
-    }
-  };
-  add(m->geom_bodyid[pair.rotor_geom], d->geom_xpos + 3 * pair.rotor_geom, 1.0, 1.0);
-  add(m->geom_bodyid[pair.ring_geom], place.ring_point, -1.0, place.ring_spin_factor);
-  return rates;
+// Acceleration of a point of a body for qacc = 0, m/s^2: the spatial acceleration (sum of cdof'
+// qvel) at the point, and omega x v of the point.
+Eigen::Vector3d point_turning(const mjModel* m, const mjData* d, int body, const mjtNum* point) {
+  Eigen::Vector3d turns(0.0, 0.0, 0.0), moves(0.0, 0.0, 0.0);
+  for (int i = last_dof(m, body); i >= 0; i = m->dof_parentid[i]) {
+    turns += d->qvel[i] * vector_at(d->cdof_dot + 6 * i);
+    moves += d->qvel[i] * vector_at(d->cdof_dot + 6 * i + 3);
+  }
+  const Eigen::Vector3d arm =
+      vector_at(point) - vector_at(d->subtree_com + 3 * m->body_rootid[body]);
+  const auto omega = vector_at(d->cvel + 6 * body);
+  const Eigen::Vector3d v = vector_at(d->cvel + 6 * body + 3) + omega.cross(arm);
+  return omega.cross(v) + turns.cross(arm) + moves;
 }
 
 }  // namespace
 
-ContactPoint contact_point_of(const ContactPair& pair, const mjModel* m, const mjData* d) {
-  const ContactPlace place = contact_place(pair, d);
-  const Eigen::Vector3d rates = rates_of(pair, place, m, d);
-  return contact_kinematics(place.d, rates.head<2>(), rates.z(), pair.contact.radius,
-                            pair.contact.clearance);
+ContactPlace contact_place(const ContactPair& pair, const mjData* d) {
+  static constexpr mjtNum kWorld[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  ContactPlace place;
+  place.axes = pair.in_world ? kWorld : d->geom_xmat + 9 * pair.ring_geom;
+  const auto ring = vector_at(d->geom_xpos + 3 * pair.ring_geom);
+  const auto axes = axes_at(place.axes);
+  const Eigen::Vector3d apart = vector_at(d->geom_xpos + 3 * pair.rotor_geom) - ring;
+  const Eigen::Vector3d centre = axes.transpose() * apart;
+  place.d = centre.head<2>();
+  place.along = centre.z();
+  place.ring_spin_factor = 1.0 + place.d.norm() / pair.contact.radius;
+  for (int i = 0; i < 3; ++i) place.ring_point[i] = ring[i] + centre.z() * axes(i, 2);
+  return place;
 }
 
-bool Reach::may_reach(const ContactPair& pair) {
+ContactPoint contact_point_of(const ContactPair& pair, const mjModel* m, const mjData* d) {
+  return PairMotion(pair, m, d).point();
+}
+
+const ContactPlace& PairMotion::place() {
+  if (!place_) place_ = contact_place(*pair_, d_);
+  return *place_;
+}
+
+// J qvel from MuJoCo's body velocities: rotation, then translation of the body's point at its
+// tree's centre of mass.
+const Eigen::Vector3d& PairMotion::rates() {
+  if (rates_) return *rates_;
+  const auto velocity = [this](int geom, const mjtNum* point, double spin) {
+    const int body = m_->geom_bodyid[geom];
+    const auto omega = vector_at(d_->cvel + 6 * body), v = vector_at(d_->cvel + 6 * body + 3);
+    const Eigen::Vector3d arm =
+        vector_at(point) - vector_at(d_->subtree_com + 3 * m_->body_rootid[body]);
+    const auto axes = axes_at(place().axes);
+    const Eigen::Vector3d moves = axes.transpose() * (v + omega.cross(arm));
+    return Eigen::Vector3d(moves.x(), moves.y(), spin * axes.col(2).dot(omega));
+  };
+  rates_ = velocity(pair_->rotor_geom, d_->geom_xpos + 3 * pair_->rotor_geom, 1.0) -
+           velocity(pair_->ring_geom, place().ring_point, place().ring_spin_factor);
+  return *rates_;
+}
+
+ContactPoint PairMotion::point() {
+  return contact_kinematics(place().d, rates().head<2>(), rates().z(), pair_->contact.radius,
+                            pair_->contact.clearance);
+}
+
+const Eigen::Vector2d& PairMotion::turning() {
+  if (turning_) return *turning_;
+  if (pair_->on_chain) return turning_.emplace(0.0, 0.0);
+  const int rotor = pair_->rotor_geom;
+  const Eigen::Vector3d apart =
+      point_turning(m_, d_, m_->geom_bodyid[rotor], d_->geom_xpos + 3 * rotor) -
+      point_turning(m_, d_, m_->geom_bodyid[pair_->ring_geom], place().ring_point);
+  return turning_.emplace((axes_at(place().axes).transpose() * apart).head<2>());
+}
+
+bool Reach::may_reach(const ContactPair& pair, PairMotion& motion) {
   const double h = m_->opt.timestep;
-  const ContactPlace place = contact_place(pair, d_);
-  const double gap = pair.contact.clearance - place.d.norm();
-  const double speed = rates_of(pair, place, m_, d_).head<2>().norm();
+  const double gap = pair.contact.clearance - motion.place().d.norm();
+  const double speed = motion.rates().head<2>().norm();
   if (!(gap > h * speed)) return true;
   if (change_ < 0.0) change_ = change(m_, d_);
   const double mobile = mobility(m_, d_, pair.rotor_geom, d_->geom_xpos + 3 * pair.rotor_geom) +
-                        mobility(m_, d_, pair.ring_geom, place.ring_point);
+                        mobility(m_, d_, pair.ring_geom, motion.place().ring_point);
   return !(gap > h * (speed + h * std::sqrt(mobile) * change_));
 }
 

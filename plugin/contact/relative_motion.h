@@ -14,7 +14,13 @@
 
 #include <mujoco/mujoco.h>
 
+#include <Eigen/Core>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
 #include "native_model/contact/kinematics.h"
+#include "native_model/contact/most_contacts.h"
 #include "plugin/model/config.h"
 
 namespace rotorub::plugin {
@@ -27,8 +33,70 @@ bool slides_along_axis(const mjModel* m, const ContactPair& pair);
 // ring's axis by 60 degrees or more at qpos0. A disc cannot lie in its ring like that.
 bool lies_across(const mjModel* m, const ContactPair& pair);
 
+// Three numbers of MuJoCo as a vector, and nine as the matrix with the columns x, y, z of a frame.
+inline Eigen::Map<const Eigen::Vector3d> vector_at(const mjtNum* numbers) {
+  return Eigen::Map<const Eigen::Vector3d>(numbers);
+}
+inline auto axes_at(const mjtNum* numbers) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(numbers);
+}
+
+// Where a contact is, and where its rates are taken.
+struct ContactPlace {
+  const mjtNum* axes;       // frame of the contact, with the columns x, y, z, stored row by row
+  mjtNum ring_point[3];     // m, point of the ring's axis nearest to the rotor's centre
+  Eigen::Vector2d d;        // m, the rotor's centre relative to the ring's, along x and y
+  double along;             // m, the same along z, the ring's axis
+  double ring_spin_factor;  // 1 + delta / r
+};
+ContactPlace contact_place(const ContactPair& pair, const mjData* d);
+// True if rotor and ring overlap along the ring's axis.
+inline bool face_each_other(const ContactPair& pair, const ContactPlace& place) {
+  return pair.in_world || std::abs(place.along) <= pair.reach;
+}
+
 // Gap, rates and slip of the state. Call it after MuJoCo's velocity stage.
 ContactPoint contact_point_of(const ContactPair& pair, const mjModel* m, const mjData* d);
+
+// The motion of one contact in a pass. Each part is computed when it is first needed, after
+// MuJoCo's velocity stage.
+class PairMotion {
+ public:
+  PairMotion() {}  // not = default, which would set all bytes of a list to 0
+  PairMotion(const ContactPair& pair, const mjModel* m, const mjData* d)
+      : pair_(&pair), m_(m), d_(d) {}
+
+  const ContactPlace& place();
+  // (relative x, relative y, spin) as in a BodySpace (contact_space.h).
+  const Eigen::Vector3d& rates();
+  ContactPoint point();
+  // The part of d^2/dt^2 of `place().d` that exists without any acceleration of a coordinate,
+  // J' qvel, m/s^2. It comes from centres that move on circles.
+  const Eigen::Vector2d& turning();
+
+ private:
+  const ContactPair* pair_ = nullptr;
+  const mjModel* m_ = nullptr;
+  const mjData* d_ = nullptr;
+  std::optional<ContactPlace> place_;
+  std::optional<Eigen::Vector3d> rates_;
+  std::optional<Eigen::Vector2d> turning_;
+};
+
+// The motions of all contacts in a pass. Neither places nor velocities may change while it lives.
+class PassMotion {
+ public:
+  PassMotion(const Config& config, const mjModel* m, const mjData* d) : config_(config) {
+    for (const ContactPair& pair : config.pairs) all_.push_back({pair, m, d});
+  }
+  PairMotion& of(const ContactPair& pair) {
+    return all_[static_cast<std::size_t>(&pair - config_.pairs.data())];
+  }
+
+ private:
+  const Config& config_;
+  ContactList<PairMotion> all_;
+};
 
 // Whether the rotor can reach the ring within the step at all, by a bound that needs neither
 // Jacobians nor the contact's own matrix. Nearly every step of a flight ends here. It is used for
@@ -45,8 +113,9 @@ class Reach {
   // MuJoCo's constraints, which minimise |a - a_smooth|^2 / 2 + s(J a - aref), change them by at
   // most h sqrt(2 s(J a_smooth - aref)), where 2 s <= sum of D_i (J a_smooth - aref)_i^2. A point
   // at the distance r from the centre of mass of a body with the mass m_b and the least inertia I_b
-  // moves by at most sqrt(1 / m_b + r^2 / I_b) times that.
-  bool may_reach(const ContactPair& pair);
+  // moves by at most sqrt(1 / m_b + r^2 / I_b) times that, and on slides with the masses m_i by at
+  // most sqrt(sum of 1 / m_i) times that.
+  bool may_reach(const ContactPair& pair, PairMotion& motion);
 
  private:
   const mjModel* m_;

@@ -201,7 +201,7 @@ void solve_group(const mjModel* m, mjData* d, std::span<RigidContact* const> con
 bool moves_with(const RigidContact& a, const RigidContact& b) {
   if (a.constrained && b.constrained) return true;
   const auto answers = [](const ContactSpace* at, const ContactSpace* to) {
-    return at && to && !at->admittance(*to).isZero(0.0);
+    return at && to && !at->flexibility(*to).isZero(0.0);
   };
   return answers(a.rows.plane, b.rows.plane) || answers(a.rows.plane, b.rows.axial) ||
          answers(a.rows.axial, b.rows.plane) || answers(a.rows.axial, b.rows.axial);
@@ -239,19 +239,20 @@ void note_results(const mjModel* m, mjData* d, std::span<RigidContact* const> gr
 
 // Solves all contacts that face each other, in a step in which at least one may close.
 void solve_facing(const Config& config, const ContactList<const ContactPair*>& pairs,
-                  const mjModel* m, mjData* d) {
+                  const mjModel* m, mjData* d, PassMotion& motion) {
   const double h = m->opt.timestep;
   ContactSpaces spaces(config, m, d);
   ContactList<RigidContact> members;
   ContactList<RigidContact*> left;
   for (const ContactPair* pair : pairs) {
-    const auto [place, plane, axial] = spaces.add(*pair);
+    const ContactPlace& place = motion.of(*pair).place();
+    const auto [plane, axial] = spaces.add(*pair, place);
     RigidContact c;
     c.pair = pair;
     c.rows = {plane, axial, {1.0, 0.0}, pair->contact.radius};
     c.step.h = h;
     c.step.d = place.d;
-    c.step.bend = 0.5 * h * h * turning_of(*pair, place, m, d);
+    c.step.bend = 0.5 * h * h * motion.of(*pair).turning();
     c.step.start = plane->rates(d->qvel);
     c.step.start.z() += pair->prescribed_spin;
     ContactMemory memory(d, *pair, h);
@@ -271,7 +272,7 @@ void solve_facing(const Config& config, const ContactList<const ContactPair*>& p
 
 }  // namespace
 
-void apply_rigid(const Config& config, const mjModel* m, mjData* d) {
+void apply_rigid(const Config& config, const mjModel* m, mjData* d, PassMotion& motion) {
   update_smooth_force(m, d);
   Reach reach(m, d);
   ContactList<const ContactPair*> facing;
@@ -279,16 +280,16 @@ void apply_rigid(const Config& config, const mjModel* m, mjData* d) {
   for (const ContactPair& pair : config.pairs) {
     if (pair.contact_model != scene::ContactModel::kRigid) continue;
     ContactMemory memory(d, pair, m->opt.timestep);
-    if (!face_each_other(pair, d)) {
+    if (!face_each_other(pair, motion.of(pair).place())) {
       memory.begin_anew();
       memory.note({});
       continue;
     }
     facing.push_back(&pair);
-    near = near || memory.was_in_contact() || reach.may_reach(pair);
+    near = near || memory.was_in_contact() || reach.may_reach(pair, motion.of(pair));
   }
   if (near && contact_enabled(m)) {
-    solve_facing(config, facing, m, d);
+    solve_facing(config, facing, m, d, motion);
     return;
   }
   for (const ContactPair* pair : facing) {

@@ -6,12 +6,13 @@
 
 #include <mujoco/mujoco.h>
 
+#include "plugin/contact/relative_motion.h"
 #include "plugin/model/config.h"
 
 namespace rotorub::plugin {
 
 // For the pairs with a rigid contact. Called by apply_command_and_contacts() (passes.cc); adds
 // their impulses to d->qfrc_passive as forces over the step, and records them (contact_memory.h).
-void apply_rigid(const Config& config, const mjModel* m, mjData* d);
+void apply_rigid(const Config& config, const mjModel* m, mjData* d, PassMotion& motion);
 
 }  // namespace rotorub::plugin

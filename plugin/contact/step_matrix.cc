@@ -22,27 +22,41 @@ DofRange tree_of(const mjModel* m, int body) {
   return range;
 }
 
+int last_dof(const mjModel* m, int body) {
+  while (body > 0 && m->body_dofnum[body] == 0) body = m->body_parentid[body];
+  return body == 0 ? -1 : m->body_dofadr[body] + m->body_dofnum[body] - 1;
+}
+
 void solve_tree(const mjModel* m, const mjtNum* factor, const mjtNum* inverse, DofRange range,
                 mjtNum* x) {
+  const int nv = count(m->nv);
+  mjtNum *y = x + nv, *z = y + nv;
   for (int i = range.last - 1; i >= range.first; --i) {
-    if (x[i] == 0.0) continue;
+    if (x[i] == 0.0 && y[i] == 0.0 && z[i] == 0.0) continue;
     const MassRow row = mass_row(m, i);
     const mjtNum* entry = factor + row.diagonal;
     for (int j = m->dof_parentid[i], left = row.ancestors; left > 0; --left) {
       entry += row.step;
       x[j] -= *entry * x[i];
+      y[j] -= *entry * y[i];
+      z[j] -= *entry * z[i];
       j = m->dof_parentid[j];
     }
   }
-  for (int i = range.first; i < range.last; ++i) x[i] *= inverse[i];
   for (int i = range.first; i < range.last; ++i) {
+    double solved[3] = {x[i] * inverse[i], y[i] * inverse[i], z[i] * inverse[i]};
     const MassRow row = mass_row(m, i);
     const mjtNum* entry = factor + row.diagonal;
     for (int j = m->dof_parentid[i], left = row.ancestors; left > 0; --left) {
       entry += row.step;
-      x[i] -= *entry * x[j];
+      solved[0] -= *entry * x[j];
+      solved[1] -= *entry * y[j];
+      solved[2] -= *entry * z[j];
       j = m->dof_parentid[j];
     }
+    x[i] = solved[0];
+    y[i] = solved[1];
+    z[i] = solved[2];
   }
 }
 
@@ -112,8 +126,14 @@ void factor_block(Block& a) {
 }  // namespace
 
 StepMatrix::StepMatrix(const mjModel* m, mjData* d)
-    : m_(m), d_(d), implicit_(steps_implicitly(m)), damped_step_(damped_step(m)) {
-  if (implicit_) find_derivative(m, d);
+    : m_(m), d_(d), room_(d), implicit_(steps_implicitly(m)), damped_step_(damped_step(m)) {
+  if (implicit_) {
+    find_derivative(m, d);
+  } else if (damped_step_ > 0.0) {
+    factor_ = room_.numbers(mass_size(m));
+    inverse_ = room_.numbers(count(m->nv));
+    std::fill_n(inverse_, count(m->nv), 0.0);
+  }
 }
 
 bool StepMatrix::differs(DofRange tree) const {
@@ -145,25 +165,25 @@ void StepMatrix::fill_excess(DofRange tree, mjtNum* block) const {
   }
 }
 
-void StepMatrix::solve(DofRange tree, mjtNum* row, int rows) const {
+void StepMatrix::solve(DofRange tree, mjtNum* rows) {
   const int nv = count(m_->nv), n = size_of(tree);
   if (n == 0) return;
-  StackFrame room(d_);
   if (!implicit_) {
-    mjtNum* factor = room.numbers(mass_size(m_));
-    mjtNum* inverse = room.numbers(nv);
-    factor_tree(m_, d_, damped_step_, tree, factor, inverse);
-    for (int k = 0; k < rows; ++k) solve_tree(m_, factor, inverse, tree, row + k * nv);
+    if (inverse_[tree.first] == 0.0) {
+      factor_tree(m_, d_, damped_step_, tree, factor_, inverse_);
+    }
+    solve_tree(m_, factor_, inverse_, tree, rows);
     return;
   }
+  StackFrame room(d_);
   mjtNum* entries = room.numbers(n * n);
   fill_excess(tree, entries);
   Block h(entries, n, n);
   add_mass(m_, d_, tree, 1.0, h);
   factor_block(h);
   // x H = row: U^T y = row, L^T x = y.
-  for (int k = 0; k < rows; ++k) {
-    Part x(row + k * nv + tree.first, n);
+  for (int k = 0; k < 3; ++k) {
+    Part x(rows + k * nv + tree.first, n);
     h.triangularView<Eigen::Upper>().transpose().solveInPlace(x);
     h.triangularView<Eigen::UnitLower>().transpose().solveInPlace(x);
   }

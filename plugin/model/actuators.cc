@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,28 +42,32 @@ thread_local Pass pass;
 
 std::atomic<bool> stands_before = false;
 
-// Calls action(values, count) for all data that the answers depend on, until it returns false.
+// Calls action(values, count) for all data that the answers depend on.
 template <typename Action>
-bool for_each_input(const mjModel* m, const mjData* d, Action action) {
-  return action(&d->time, 1) && action(d->ctrl, count(m->nu)) && action(d->act, count(m->na)) &&
-         action(d->qpos, count(m->nq)) && action(d->qvel, count(m->nv));
+void for_each_input(const mjModel* m, const mjData* d, Action action) {
+  action(&d->time, 1);
+  action(d->ctrl, count(m->nu));
+  action(d->act, count(m->na));
+  action(d->qpos, count(m->nq));
+  action(d->qvel, count(m->nv));
 }
 
-void keep_inputs(const mjModel* m, const mjData* d) {
-  pass.inputs.clear();
-  for_each_input(m, d, [](const mjtNum* values, int n) {
-    pass.inputs.insert(pass.inputs.end(), values, values + n);
-    return true;
+void keep_inputs(const mjModel* m, const mjData* d, std::vector<mjtNum>& inputs) {
+  inputs.resize(static_cast<std::size_t>(1 + m->nu + m->na + m->nq + m->nv));
+  mjtNum* to = inputs.data();
+  for_each_input(m, d, [&to](const mjtNum* values, int n) {
+    for (int i = 0; i < n; ++i) *to++ = values[i];
   });
 }
 
-bool has_inputs(const mjModel* m, const mjData* d) {
-  auto at = pass.inputs.begin();
-  return for_each_input(m, d, [&at](const mjtNum* values, int n) {
-    if (pass.inputs.end() - at < n || !std::equal(values, values + n, at)) return false;
-    at += n;
-    return true;
+bool has_inputs(const mjModel* m, const mjData* d, const std::vector<mjtNum>& inputs) {
+  if (inputs.size() != static_cast<std::size_t>(1 + m->nu + m->na + m->nq + m->nv)) return false;
+  const mjtNum* at = inputs.data();
+  bool same = true;
+  for_each_input(m, d, [&](const mjtNum* values, int n) {
+    for (int i = 0; i < n; ++i) same &= *at++ == values[i];
   });
+  return same;
 }
 
 void restore_plugin_state(const mjModel* m, mjData* d) {
@@ -80,7 +85,7 @@ void begin_actuators(const mjData* d) {
 
 // Answers that MuJoCo received at this state stay known.
 ActuatorsAside::ActuatorsAside(const mjModel* m, mjData* d) : m_(m), d_(d) {
-  if (pass.data != d || !has_inputs(m, d)) begin_actuators(d);
+  if (pass.data != d || !has_inputs(m, d, pass.inputs)) begin_actuators(d);
   pass.computed = pass.plugin_state_kept = false;
 }
 ActuatorsAside::~ActuatorsAside() {
@@ -91,49 +96,55 @@ ActuatorsAside::~ActuatorsAside() {
 void compute_actuators(const mjModel* m, mjData* d) {
   const int actuators = actuator_count(m);
   if (actuators == 0) return;
-  if (pass.data != d) begin_actuators(d);
+  Pass& now = pass;
+  if (now.data != d) begin_actuators(d);
+  if (now.computed && has_inputs(m, d, now.inputs)) return;
   const std::size_t room = static_cast<std::size_t>(kKinds) * static_cast<std::size_t>(actuators);
-  if (pass.answers.size() < room) {
-    pass.answers.assign(room, Answer::kNone);
-    pass.values.resize(room);
+  if (now.answers.size() < room) {
+    now.answers.assign(room, Answer::kNone);
+    now.values.resize(room);
   }
   const bool engine = has_engine_actuators(m);
-  if (engine && pass.computed && has_inputs(m, d)) return;
   if (engine) {
     // If there are several computations in a pass, each begins with the same plugin state.
-    if (pass.plugin_state_kept) {
+    if (now.plugin_state_kept) {
       restore_plugin_state(m, d);
     } else {
       const std::span<const mjtNum> state = plugin_state(m, d);
-      pass.plugin_state.assign(state.begin(), state.end());
-      pass.plugin_state_kept = true;
+      now.plugin_state.assign(state.begin(), state.end());
+      now.plugin_state_kept = true;
     }
   }
-  pass.asking = true;
+  now.asking = true;
   mj_fwdActuation(m, d);
-  pass.asking = false;
-  pass.computed = true;
-  keep_inputs(m, d);
+  now.asking = false;
+  now.computed = true;
+  keep_inputs(m, d, now.inputs);
   if (!engine) return;
-  pass.forces.clear();
-  for (int i = 0; i < actuators; ++i) pass.forces.push_back(d->actuator_force[force_address(m, i)]);
+  now.forces.clear();
+  for (int i = 0; i < actuators; ++i) now.forces.push_back(d->actuator_force[force_address(m, i)]);
   if (!stands_before) restore_plugin_state(m, d);
 }
 
 bool actuators_computed(const mjModel* m, mjData* d) {
-  if (!stands_before || pass.data != d || pass.asking || !pass.computed || !has_engine_actuators(m))
-    return false;
-  pass.computed = false;
-  if (has_inputs(m, d)) return true;
-  restore_plugin_state(m, d);
+  Pass& now = pass;
+  if (!stands_before || now.data != d || now.asking || !now.computed) return false;
+  now.computed = false;
+  if (has_inputs(m, d, now.inputs)) return true;
+  if (has_engine_actuators(m)) restore_plugin_state(m, d);
   return false;
+}
+
+void allow_edits(const mjModel* m, const mjData* d) {
+  if (pass.data == d && !has_engine_actuators(m)) pass.computed = false;
 }
 
 void expect_to_stand_before() { stands_before = true; }
 
 void compare_actuators(const mjModel* m, const mjData* d) {
   static std::atomic<bool> warned = false;
-  if (pass.data != d || !pass.computed || !has_engine_actuators(m) || warned || !has_inputs(m, d))
+  if (pass.data != d || !pass.computed || !has_engine_actuators(m) || warned ||
+      !has_inputs(m, d, pass.inputs))
     return;
   for (int i = 0; i < actuator_count(m); ++i) {
     const double force = pass.forces[static_cast<std::size_t>(i)];
@@ -157,7 +168,7 @@ bool answer_given(ActuatorQuestion asked, const mjModel* m, const mjData* d, int
     return false;
   if (!pass.asking) {
     // MuJoCo asks.
-    if (pass.answers[at] == Answer::kUsed || !has_inputs(m, d)) return false;
+    if (pass.answers[at] == Answer::kUsed || !has_inputs(m, d, pass.inputs)) return false;
     pass.answers[at] = Answer::kUsed;
   }
   value = pass.values[at];

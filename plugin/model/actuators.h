@@ -41,6 +41,9 @@ void compute_actuators(const mjModel* m, mjData* d);
 // has already done its work. expect_to_stand_before() says that the library is preloaded.
 bool actuators_computed(const mjModel* m, mjData* d);
 void expect_to_stand_before();
+// Call it after mj_step1: the program may edit mjModel before mj_step2, so that the forces must be
+// computed again, except those of engine plugins, which are computed once.
+void allow_edits(const mjModel* m, const mjData* d);
 
 // Call it after MuJoCo's mj_fwdActuation. It warns once if an engine plugin computed another force
 // than before.

@@ -91,9 +91,10 @@ void controller_failed(mjData* d, const std::string& why) {
   raise_error(("rotorub: " + why).c_str());
 }
 
-void write_command(const Config& config, const mjModel* m, mjData* d, const Coordinates& state) {
+void write_command(const Config& config, const mjModel* m, mjData* d) {
   const AuxiliaryBearing& ring = config.model.first();
   if (!ring.controller) return;
+  const Coordinates state(config, d);
   double v[kMaxCoordinates];
   velocity_at_time(config, m, d, state, v);
   // Before the controller is on, the command is 0, the value that mj_resetData sets.

@@ -14,7 +14,7 @@ namespace rotorub::plugin {
 
 // Writes the command to ctrl. A sampled controller's command is held between the samples k T. Does
 // nothing to the user's ctrl if the scene has no active controller.
-void write_command(const Config& config, const mjModel* m, mjData* d, const Coordinates& state);
+void write_command(const Config& config, const mjModel* m, mjData* d);
 
 // Reports that the law failed: mju_error with the law's message, which contains the time, and the
 // status in mjData (ContactEntries::status).

@@ -49,9 +49,9 @@ MassRow mass_row(const Model* m, int dof) {
     const int others = m->M_rownnz[dof] - 1;
     return {m->M_rowadr[dof] + others, -1, others};
   } else {
-    int ancestors = 0;
-    for (int i = m->dof_parentid[dof]; i >= 0; i = m->dof_parentid[i]) ++ancestors;
-    return {m->dof_Madr[dof], 1, ancestors};
+    const int first = m->dof_Madr[dof];
+    const int end = dof + 1 < count(m->nv) ? m->dof_Madr[dof + 1] : count(m->nM);
+    return {first, 1, end - first - 1};
   }
 }
 template <typename Data>

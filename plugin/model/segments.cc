@@ -46,80 +46,83 @@ Eigen::MatrixXd projection(const Eigen::MatrixXd& shape, const Eigen::MatrixXd& 
   return p;
 }
 
-// Adds the value that the modes miss at the contact to the first mode that moves it. This mode is
-// the softest, so the forces and accelerations that are computed from the modes change least.
-void complete(const Eigen::VectorXd& contact_shape, double missing, double* q) {
-  for (Eigen::Index k = 0; k < contact_shape.size(); ++k) {
-    if (contact_shape[k] == 0.0) continue;
-    q[k] += missing / contact_shape[k];
-    return;
-  }
-}
-
-// The same for several contacts, by the change with the least elastic energy. shapes: one row for
-// each contact.
-void complete(const Eigen::MatrixXd& shapes, const Eigen::VectorXd& stiffness,
-              const Eigen::VectorXd& missing, double* q) {
+// The shares with the values that the modes miss at the contacts. rows: what the contacts have of
+// the chain's coordinates; shapes: of the modes; one row for each contact. A single contact's value
+// is added to the first mode that moves it. This mode is the softest, so the forces and
+// accelerations that are computed from the modes change least. For several contacts it is the
+// change with the least elastic energy.
+Eigen::MatrixXd completed(const Eigen::MatrixXd& shares, const Eigen::MatrixXd& rows,
+                          const Eigen::MatrixXd& shapes, const Eigen::VectorXd& stiffness) {
   constexpr double kLeast = 1e-9;  // relative to the largest stiffness; for modes without a spring
+  const Eigen::Index contacts = rows.rows();
+  if (contacts == 0 || shares.rows() == 0) return shares;
+  const Eigen::MatrixXd missing = rows - shapes * shares;
+  if (contacts == 1) {
+    Eigen::MatrixXd all = shares;
+    for (Eigen::Index k = 0; k < shapes.cols(); ++k) {
+      if (shapes(0, k) == 0.0) continue;
+      all.row(k) += missing.row(0) / shapes(0, k);
+      break;
+    }
+    return all;
+  }
   const Eigen::VectorXd soft =
       stiffness.cwiseMax(kLeast * std::max(stiffness.maxCoeff(), 1.0)).cwiseInverse();
   const Eigen::MatrixXd spread = soft.asDiagonal() * shapes.transpose();
   const Eigen::MatrixXd moves = shapes * spread;
-  const Eigen::VectorXd change = spread * least_squares(moves, missing);
-  Eigen::Map<Eigen::VectorXd>(q, change.size()) += change;
+  Eigen::MatrixXd all = shares;
+  for (Eigen::Index i = 0; i < missing.cols(); ++i) {
+    all.col(i) += spread * least_squares(moves, Eigen::VectorXd(missing.col(i)));
+  }
+  return all;
+}
+
+void map_modes(const scene::Scene& scene, const Model& model, const SegmentMatrices& m,
+               Segments& s) {
+  const Layout& l = model.layout;
+  const Eigen::Index nodes = m.spin_inertia.size();
+  const auto contacts = static_cast<Eigen::Index>(std::ranges::count_if(
+      scene.auxiliary, [](const auto& bearing) { return bearing.contact.has_value(); }));
+  // Without a drive the first segment is held, and the torsion modes are relative to it.
+  Eigen::RowVectorXd rigid = Eigen::RowVectorXd::Unit(nodes, 0);
+  if (l.spin) rigid = s.spin_share.transpose();
+  Eigen::MatrixXd rows(contacts, m.mass.cols()), twists(contacts, nodes);
+  Eigen::MatrixXd shapes_x(contacts, l.modes), shapes_y(contacts, l.modes),
+      shapes_torsion(contacts, l.torsion);
+  Eigen::Index k = 0;
+  for (std::size_t i = 0; i < scene.auxiliary.size(); ++i) {
+    if (!scene.auxiliary[i].contact) continue;
+    const double station = scene.auxiliary[i].contact->station;
+    rows.row(k) = s.chain.deflection(station);
+    twists.row(k) = Eigen::RowVectorXd::Unit(nodes, s.chain.node_at(station)) - rigid;
+    const AuxiliaryBearing& at = model.auxiliary[static_cast<std::size_t>(k)];
+    shapes_x.row(k) = at.shape.x.transpose();
+    shapes_y.row(k) = at.shape.y.transpose();
+    if (l.torsion) shapes_torsion.row(k) = at.torsion_shape.transpose();
+    ++k;
+  }
+  s.modes_x = completed(projection(m.shape_x, m.mass), rows, shapes_x,
+                        model.stiffness.segment(l.x(), l.modes));
+  s.modes_y = completed(projection(m.shape_y, m.mass), rows, shapes_y,
+                        model.stiffness.segment(l.y(), l.modes));
+  Eigen::MatrixXd torsion = projection(m.shape_torsion, m.spin_inertia.asDiagonal());
+  if (!l.spin) torsion -= torsion.rowwise().sum() * rigid;
+  s.modes_torsion =
+      completed(torsion, twists, shapes_torsion, model.stiffness.segment(l.theta(), l.torsion));
+  s.spin_row = rigid;
+  // A rotor without torsion modes has the spin of its first contact.
+  if (contacts > 0 && l.torsion == 0) s.spin_row += twists.row(0);
 }
 
 void to_native(const Segments& s, const Model& model, const mjtNum* from, AddressPart part,
                double* to) {
   const Layout& l = model.layout;
   using Vector = Eigen::Map<Eigen::VectorXd>;
-  const auto contacts = static_cast<Eigen::Index>(s.contact_rows.size());
-  const auto plane = [&](const std::vector<JointAddress>& joints, const Eigen::MatrixXd& project,
-                         Eigen::VectorXd ModeShape::*shape, int at) {
-    const Eigen::VectorXd u = gather(joints, part, from);
-    Vector modes(to + at, l.modes);
-    modes = project * u;
-    if (contacts == 1) {
-      const Eigen::VectorXd& values = model.first().shape.*shape;
-      complete(values, s.contact_rows[0].dot(u) - values.dot(modes), to + at);
-    } else if (contacts > 1) {
-      Eigen::MatrixXd shapes(contacts, l.modes);
-      Eigen::VectorXd missing(contacts);
-      for (Eigen::Index k = 0; k < contacts; ++k) {
-        const auto i = static_cast<std::size_t>(k);
-        shapes.row(k) = (model.auxiliary[i].shape.*shape).transpose();
-        missing[k] = s.contact_rows[i].dot(u) - shapes.row(k).dot(modes);
-      }
-      complete(shapes, model.stiffness.segment(at, l.modes), missing, to + at);
-    }
-  };
-  plane(s.x, s.project_x, &ModeShape::x, l.x());
-  plane(s.y, s.project_y, &ModeShape::y, l.y());
-
   const Eigen::VectorXd spin = gather(s.spin, part, from);
-  Vector torsion(to + l.theta(), l.torsion);
-  torsion = s.project_torsion * spin;
-  // Without a drive the first segment is held, and the torsion modes are relative to it.
-  const double rigid = l.spin ? s.spin_share.dot(spin) : spin[0];
-  if (!l.spin) torsion -= s.project_torsion * Eigen::VectorXd::Constant(spin.size(), rigid);
-  if (l.spin) to[l.phi()] = rigid;
-  if (contacts == 0) return;
-  const double missing =
-      spin[s.contact_nodes[0]] - rigid - model.first().torsion_shape.dot(torsion);
-  if (l.torsion && contacts > 1) {
-    Eigen::MatrixXd shapes(contacts, l.torsion);
-    Eigen::VectorXd all(contacts);
-    for (Eigen::Index k = 0; k < contacts; ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      shapes.row(k) = model.auxiliary[i].torsion_shape.transpose();
-      all[k] = spin[s.contact_nodes[i]] - rigid - shapes.row(k).dot(torsion);
-    }
-    complete(shapes, model.stiffness.segment(l.theta(), l.torsion), all, to + l.theta());
-  } else if (l.torsion) {
-    complete(model.first().torsion_shape, missing, to + l.theta());
-  } else if (l.spin) {
-    to[l.phi()] += missing;
-  }
+  Vector(to + l.x(), l.modes).noalias() = s.modes_x * gather(s.x, part, from);
+  Vector(to + l.y(), l.modes).noalias() = s.modes_y * gather(s.y, part, from);
+  Vector(to + l.theta(), l.torsion).noalias() = s.modes_torsion * spin;
+  if (l.spin) to[l.phi()] = s.spin_row.dot(spin);
 }
 
 // Segments::bending.
@@ -192,14 +195,7 @@ Segments make_segments(const scene::Scene& scene, const Model& model,
   if (!m.torsion_damping.isZero(0.0)) s.torsion_damping = m.torsion_damping;
   if (scene.drive) s.drive_node = s.chain.node_at(scene.drive->station);
   s.spin_share = m.spin_inertia / m.spin_inertia.sum();
-  s.project_x = projection(m.shape_x, m.mass);
-  s.project_y = projection(m.shape_y, m.mass);
-  s.project_torsion = projection(m.shape_torsion, m.spin_inertia.asDiagonal());
-  for (const scene::AuxiliaryBearing& bearing : scene.auxiliary) {
-    if (!bearing.contact) continue;
-    s.contact_rows.push_back(s.chain.deflection(bearing.contact->station));
-    s.contact_nodes.push_back(s.chain.node_at(bearing.contact->station));
-  }
+  map_modes(scene, model, m, s);
   s.highest = m.highest;
   return s;
 }

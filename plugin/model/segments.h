@@ -38,12 +38,11 @@ struct Segments {
   int drive_node = -1;         // node of the motor; -1: the speed is prescribed
   Eigen::VectorXd spin_share;  // N + 1, J_k / sum J, the weights of the mean spin
 
-  // Native modal coordinates of a state of the chain. The matrices contain the share of each kept
-  // mode. The deflection at the contacts is kept exactly: the modes also take up the part that
-  // their shares miss there (complete() in segments.cc).
-  Eigen::MatrixXd project_x, project_y, project_torsion;  // kept modes x coordinates
-  std::vector<Eigen::RowVectorXd> contact_rows;           // one for each contact
-  std::vector<int> contact_nodes;
+  // Native modal coordinates from a state of the chain: the share of each kept mode, changed so
+  // that the deflection and the twist at the contacts are kept exactly (completed() in
+  // segments.cc). modes x coordinates; with a free spin, `spin_row` gives its angle.
+  Eigen::MatrixXd modes_x, modes_y, modes_torsion;
+  Eigen::RowVectorXd spin_row;
 
   double highest = 0.0;  // rad/s, highest frequency at rest
 };
