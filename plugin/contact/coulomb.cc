@@ -123,7 +123,6 @@ void look(CoulombContact& s, bool with_others, Free free, const mjModel* m, mjDa
 // leaves a force.
 double open_reference(double acceleration) { return acceleration - (1.0 + std::abs(acceleration)); }
 
-// The contacts of a pass.
 using CoulombContacts = ContactList<CoulombContact>;
 
 // Sets aref, from which MuJoCo's solver finds l = (aref - J a_smooth) / (J M^-1 J^T + R).
@@ -314,9 +313,7 @@ void apply_coulomb(const Config& config, const mjModel* m, mjData* d, PassMotion
     entry.normal_force = entry.friction_force = 0.0;
     const mjContact* contact = find_contact(pair, d);
     ContactPlace place = motion.of(pair).place();
-    if (pair.further) {
-      place.d = separation(config.model, Coordinates(config, d).q(), pair.bearing);
-    }
+    if (pair.further) place.d = separation(config.model, Coordinates(config, d).q(), pair.bearing);
     const bool detected = pair.further ? is_detected(pair, place, m) : contact != nullptr;
     if (!detected) entry.mode = 0.0;
     if (!detected && pair.contact.is_compliant()) pass_without_contact(pair, m, d);
