@@ -187,7 +187,14 @@ void Reading::refuse_unknown(const Table* own, const Spot& here) {
     }
     refuse(here.below(value, name), reason + join(known));
     // The value is read as it was meant, so that the mistake has no further consequences.
-    if (!meant.empty() && here.node.find(meant) == nullptr) name = meant;
+    TomlNode* there = meant.empty() ? nullptr : here.node.find(meant);
+    if (there != nullptr && there->kind == Kind::kTable) {
+      for (auto& entry : value.entries) {
+        if (there->find(entry.first) == nullptr) there->entries.push_back(std::move(entry));
+      }
+    } else if (there == nullptr && !meant.empty()) {
+      name = meant;
+    }
   }
 }
 

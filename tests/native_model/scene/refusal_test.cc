@@ -43,6 +43,11 @@ TEST(Refusal, ReportsAMisspeltWordOnce) {
       {"word in a misspelt table",
        modal_and("[stator]\nmass = 1\nstiffness = 1\n[controler]\nkind = \"pd\"\n"), 14,
        "controler", "did you mean `controller`?"},
+      {"table with tables below it",
+       modal_and(
+           "[stator]\nmass = 1\nstiffness = 1\n[controler]\nkind = \"pd\"\nsample_time = 1e-4\n"
+           "[controller.trigger]\ngap = 1e-4\n"),
+       14, "controler", "did you mean `controller`?"},
       {"name of another table", modal_and("[initial]\nstation = 0.2\n"), 12, "initial.station",
        "`station` belongs in [[rotor.disc]]"},
   });

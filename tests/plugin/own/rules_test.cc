@@ -70,7 +70,7 @@ TEST_F(OwnRules, RigidRefusesAnotherFrictionInThePair) {
   const std::string three = replaced(document(x), "condim=\"1\"", "condim=\"3\"");
   load(three);  // MuJoCo's own, that nobody wrote
   expect_refused(replaced(three, "condim=\"3\"", "condim=\"3\" friction=\"0.4 0.4 0 0 0\""),
-                 "friction is 0.4, rotorub_friction is 0.15");
+                 "friction is 0.4, but rotorub_friction is 0.15");
   load(replaced(three, "condim=\"3\"", "condim=\"3\" friction=\"0.15 0.15 0 0 0\""));
 }
 
