@@ -103,7 +103,7 @@ class Studies(InAFolder):
             text = text.replace(old, new)
         (self.folder / f"{name}.toml").write_text(text)
         found = json.loads(self.rotorub("optimise", f"{name}.toml", "-o", name, "--json"))
-        self.assertIn("Which values are best?", (self.folder / name / "optimum.html").read_text())
+        self.assertIn("Which values of ", (self.folder / name / "optimum.html").read_text())
         return found, self.table(f"{name}/evaluations.csv")
 
     def test_optimise_ring(self):
