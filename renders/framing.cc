@@ -174,15 +174,15 @@ double FilmClock::slowest() const { return impacts_.empty() ? base_ : base_ * kS
 
 std::string FilmClock::text() const {
   const bool whole = decisive_.length() >= run_.length();
-  std::string text = fmt::format("slowed down {:.3g} times", base_);
+  std::string text = fmt::format("slowed down {:.4g} times", base_);
   if (!whole) {
     text += fmt::format(" from {:.4g} s to {:.4g} s", decisive_.from, decisive_.to);
   }
   if (!impacts_.empty()) {
-    text += fmt::format(", {:.3g} times at {} impact{}", slowest(), impacts_.size(),
+    text += fmt::format(", {:.4g} times at {} impact{}", slowest(), impacts_.size(),
                         impacts_.size() > 1 ? "s" : "");
   }
-  return text + (whole ? "" : fmt::format(", {:.3g} times elsewhere", rest_ * base_));
+  return text + (whole ? "" : fmt::format(", {:.4g} times elsewhere", rest_ * base_));
 }
 
 void check_options(const RenderOptions& options) {

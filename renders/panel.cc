@@ -203,6 +203,7 @@ void Panel::write_key(Sheet sheet, double x) const {
   for (const auto& [name, color, seen] : entries) {
     const double end = x + 1.8 * size + sheet.text_width(name, size);
     if (!seen || end > sheet.area().width) continue;
+    sheet.fill(x, y, end - x, 1.2 * size, palette::kBackground.with_alpha(0.8));
     sheet.fill(x, y + 0.15 * size, 0.6 * size, 0.6 * size, color);
     sheet.text(x + 0.9 * size, y, name, size, palette::kFaintInk);
     x = end;
