@@ -14,8 +14,9 @@ namespace {
 constexpr double kTrailFilmTime = 0.9;  // s of film that the path extends back
 constexpr double kSparkFilmTime = 0.3;  // s of film that an impact glows
 
-ShownRun shown(const scene::Scene& scene, const Trajectory& trajectory) {
-  ShownRun run{Playback(trajectory), engine_label(trajectory), {}};
+ShownRun shown(const scene::Scene& scene, const Trajectory& trajectory,
+               const std::string& remark = "") {
+  ShownRun run{Playback(trajectory), engine_label(trajectory), remark, {}};
   for (std::size_t k = 1; k < scene.auxiliary.size(); ++k) run.further.emplace_back(trajectory, k);
   return run;
 }
@@ -49,8 +50,10 @@ FramePainter::FramePainter(const scene::Scene& scene, const Trajectory& trajecto
 
 void FramePainter::take_runs(const scene::Scene& scene, const Trajectory& trajectory,
                              const RenderOptions& options) {
-  runs_.push_back(shown(scene, trajectory));
-  if (options.beside != nullptr) runs_.push_back(shown(scene, *options.beside));
+  runs_.push_back(shown(scene, trajectory, options.remark));
+  if (options.beside != nullptr) {
+    runs_.push_back(shown(scene, *options.beside, options.beside_remark));
+  }
   shown_runs_ = runs_.size();
   for (const Trajectory* other : options.scaled_with) runs_.push_back(shown(scene, *other));
   if (options.shadow != nullptr) ghost_ = shown(scene, *options.shadow);
@@ -112,8 +115,8 @@ void FramePainter::make_panels(const scene::Scene& scene, const Trajectory& traj
     panels_.emplace_back(film_, layout_.panels[k], *trajectories[k], runs_[k],
                          k == 0 && ghost_ ? &*ghost_ : nullptr);
   }
-  frame_film_time_ = 1.0 / options.frames_per_second;
-  instant_.trail_time = kTrailFilmTime / framing_.slow_motion;
+  // The default clock chooses where frames may be far apart; a warning is for the user's choice.
+  if (options.slow_motion) frame_film_time_ = 1.0 / options.frames_per_second;
 }
 
 void FramePainter::make_stage(const RenderOptions& options) {
@@ -138,8 +141,9 @@ void FramePainter::write_header(Sheet sheet, double t) const {
   const FilmClock& clock = framing_.clock;
   const double slow = clock.slow(t);
   const bool stretched = slow > 1.5 * clock.base();
-  const std::string text = (slow < 10.0 ? fmt::format("slow motion 1:{:.2g}", slow)
-                                        : fmt::format("slow motion 1:{:.0f}", slow)) +
+  const std::string text = (slow < 1.0    ? fmt::format("fast motion {:.2g}:1", 1.0 / slow)
+                            : slow < 10.0 ? fmt::format("slow motion 1:{:.2g}", slow)
+                                          : fmt::format("slow motion 1:{:.0f}", slow)) +
                            (stretched ? ", impact" : "");
   // Fixed columns, right-aligned, so that digits do not move.
   const double column = sheet.text_width("slow motion 1:10000, impact", size);
@@ -154,6 +158,7 @@ Picture FramePainter::paint(double t) {
   Sheet sheet(picture, {0, 0, width_, height_});
   sheet.fill(0.0, 0.0, width_, height_, palette::kBackground);
 
+  instant_.trail_time = kTrailFilmTime / framing_.clock.slow(t);
   instant_.spark_time = kSparkFilmTime / framing_.clock.slow(t);
   instant_.frame_time = frame_film_time_ / framing_.clock.slow(t);
   for (std::size_t k = 0; k < panels_.size(); ++k) {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 namespace rotorub::renders {
@@ -16,10 +18,10 @@ constexpr double kFilmOfImpacts = 0.5;  // fraction of the film
 
 // Chooses the first impact, then the others by decreasing impulse, and by time if equal. Impacts
 // within `apart` of a chosen one share its slow motion.
-std::vector<double> choose(std::span<const Strike> strikes, double from, double to, double apart) {
+std::vector<double> choose(std::span<const Strike> strikes, const Span& part, double apart) {
   std::vector<const Strike*> candidates;
   for (const Strike& strike : strikes) {
-    if (strike.t >= from && strike.t <= to) candidates.push_back(&strike);
+    if (part.has(strike.t)) candidates.push_back(&strike);
   }
   const auto earlier = [](const Strike* a, const Strike* b) { return a->t < b->t; };
   std::stable_sort(candidates.begin(), candidates.end(), earlier);
@@ -35,6 +37,43 @@ std::vector<double> choose(std::span<const Strike> strikes, double from, double 
   }
   std::sort(chosen.begin(), chosen.end());
   return chosen;
+}
+
+// The part of the run that takes FilmClock::kDecisive of a film of `duration` s, so short that the
+// whirl makes at most 1 / kPointsOfATurn of a turn between frames. Nothing if the clock keeps to
+// that throughout.
+std::optional<Span> decisive_part(std::span<const Playback* const> runs, const FilmClock& clock,
+                                  const Span& shown, double duration, double rate) {
+  constexpr int kPieces = 64;
+  // The largest fraction of the accepted turn between frames in which `slow` is a function of t.
+  const auto excess = [&](const Span& part, const auto& slow) {
+    const double piece = part.length() / kPieces;
+    double most = 0.0;
+    for (int k = 0; k < kPieces; ++k) {
+      const double from = part.from + k * piece;
+      for (const Playback* run : runs) {
+        const double whirl = std::abs(run->median_whirl(from, from + piece));
+        const double turn = whirl / (2.0 * std::numbers::pi * rate * slow(from + 0.5 * piece));
+        most = std::max(most, kPointsOfATurn * turn);
+      }
+    }
+    return most;
+  };
+  if (excess(shown, [&](double t) { return clock.slow(t); }) <= 1.0) return std::nullopt;
+
+  double touch = 1e300;
+  for (const Playback* run : runs) touch = std::min(touch, run->first_touch().value_or(touch));
+  const bool touches = touch <= shown.to;
+  const double before = touches ? 0.1 : 0.5;  // fraction of the part before the decisive moment
+  const double moment = touches ? touch : runs.front()->closest(shown.from, shown.to);
+  Span part = shown;
+  for (double length = shown.length(); length > 1e-9 * shown.length(); length *= 0.9) {
+    part.from = std::clamp(moment - before * length, shown.from, shown.to - length);
+    part.to = part.from + length;
+    const double slow = FilmClock::kDecisive * kFilmOfImpacts * duration / length;
+    if (excess(part, [slow](double) { return slow; }) <= 1.0) break;
+  }
+  return part;
 }
 
 constexpr double kLeadIn = 0.04;  // before the first contact, as a fraction of the rest of the run
@@ -71,19 +110,22 @@ void set_window(Framing& framing, std::span<const Playback* const> runs,
 
 }  // namespace
 
-FilmClock::FilmClock(double from, double to, double duration)
-    : from_(from), to_(to), base_(duration / (to - from)) {}
+FilmClock::FilmClock(const Span& run, double duration)
+    : run_(run), decisive_(run), base_(duration / run.length()) {}
 
-FilmClock::FilmClock(double from, double to, double duration, std::span<const Strike> strikes)
-    : FilmClock(from, to, duration) {
+FilmClock::FilmClock(const Span& run, double duration, std::span<const Strike> strikes,
+                     const std::optional<Span>& decisive)
+    : FilmClock(run, duration) {
+  decisive_ = decisive.value_or(run);
   // The integral of the bump over u is 16/15.
   const double share = kFilmOfImpacts / (1.0 - kFilmOfImpacts);
-  half_ = share * (to - from) / ((kStretch - 1.0) * kMostImpacts * 16.0 / 15.0);
-  impacts_ = choose(strikes, from, to, half_);
-  if (!impacts_.empty()) fill();
+  half_ = share * decisive_.length() / ((kStretch - 1.0) * kMostImpacts * 16.0 / 15.0);
+  impacts_ = choose(strikes, decisive_, half_);
+  if (decisive || !impacts_.empty()) fill();
 }
 
 double FilmClock::stretch(double t) const {
+  if (!decisive_.has(t)) return rest_;
   double most = 0.0;
   for (const double impact : impacts_) {
     const double u = (t - impact) / half_;
@@ -92,34 +134,56 @@ double FilmClock::stretch(double t) const {
   return 1.0 + (kStretch - 1.0) * most;
 }
 
-// film_ is the integral of stretch() by the trapezoidal rule, scaled to 1.
+// film_ is the integral of stretch() over kSteps equal steps of each part of the run, by the
+// trapezoidal rule, scaled to 1.
 void FilmClock::fill() {
-  const double step = (to_ - from_) / kSteps;
-  film_.assign(1, 0.0);
-  double before = stretch(from_);
-  for (int k = 1; k <= kSteps; ++k) {
-    const double now = stretch(from_ + k * step);
-    film_.push_back(film_.back() + 0.5 * (before + now) / kSteps);
-    before = now;
-  }
-  base_ /= film_.back();
-  for (double& value : film_) value /= film_.back();
-  film_.back() = 1.0;
+  const auto integrate = [this](const Span& part) {
+    const double step = part.length() / kSteps;
+    for (int k = 1; k <= kSteps && step > 0.0; ++k) {
+      const double middle = stretch(part.from + (k - 0.5) * step);
+      knots_.push_back({part.from + k * step, knots_.back().film + middle * step});
+    }
+  };
+  knots_.assign(1, {run_.from, 0.0});
+  integrate(decisive_);
+  const double rest = run_.length() - decisive_.length();
+  if (rest > 0.0) rest_ = std::min(1.0, (1.0 / kDecisive - 1.0) * knots_.back().film / rest);
+  knots_.assign(1, {run_.from, 0.0});
+  integrate({run_.from, decisive_.from});
+  integrate(decisive_);
+  integrate({decisive_.to, run_.to});
+  const double all = knots_.back().film;
+  base_ *= run_.length() / all;
+  for (Knot& knot : knots_) knot.film /= all;
+  knots_.back() = {run_.to, 1.0};
 }
 
 double FilmClock::time(double share) const {
-  if (share <= 0.0) return from_;
-  if (share >= 1.0) return to_;
-  if (film_.empty()) return from_ + (to_ - from_) * share;
-  const auto after = std::upper_bound(film_.begin(), film_.end(), share);
-  const auto k = static_cast<std::size_t>(after - film_.begin());
-  const double within = (share - film_[k - 1]) / (film_[k] - film_[k - 1]);
-  return from_ + (to_ - from_) * (static_cast<double>(k - 1) + within) / kSteps;
+  if (share <= 0.0) return run_.from;
+  if (share >= 1.0) return run_.to;
+  if (knots_.empty()) return run_.from + run_.length() * share;
+  const auto after = std::ranges::upper_bound(knots_, share, {}, &Knot::film);
+  const Knot& before = *std::prev(after);
+  const double within = (share - before.film) / (after->film - before.film);
+  return before.t + within * (after->t - before.t);
 }
 
 double FilmClock::slow(double t) const { return base_ * stretch(t); }
 
 double FilmClock::slowest() const { return impacts_.empty() ? base_ : base_ * kStretch; }
+
+std::string FilmClock::text() const {
+  const bool whole = decisive_.length() >= run_.length();
+  std::string text = fmt::format("slowed down {:.4g} times", base_);
+  if (!whole) {
+    text += fmt::format(" from {:.4g} s to {:.4g} s", decisive_.from, decisive_.to);
+  }
+  if (!impacts_.empty()) {
+    text += fmt::format(", {:.4g} times at {} impact{}", slowest(), impacts_.size(),
+                        impacts_.size() > 1 ? "s" : "");
+  }
+  return text + (whole ? "" : fmt::format(", {:.4g} times elsewhere", rest_ * base_));
+}
 
 void check_options(const RenderOptions& options) {
   constexpr double kAboveZero = std::numeric_limits<double>::min();
@@ -188,8 +252,13 @@ Framing make_framing(std::span<const Playback* const> runs, const RenderOptions&
   for (const Playback* run : runs) {
     strikes.insert(strikes.end(), run->strikes().begin(), run->strikes().end());
   }
-  framing.clock = options.slow_motion ? FilmClock(framing.from, framing.to, film)
-                                      : FilmClock(framing.from, framing.to, film, strikes);
+  const Span shown{framing.from, framing.to};
+  framing.clock = options.slow_motion ? FilmClock(shown, film) : FilmClock(shown, film, strikes);
+  if (options.slow_motion) return framing;
+  const double rate = options.frames_per_second;
+  if (const auto decisive = decisive_part(runs, framing.clock, shown, film, rate)) {
+    framing.clock = FilmClock(shown, film, strikes, decisive);
+  }
   return framing;
 }
 
@@ -203,9 +272,11 @@ double hardest_impact(const Playback& playback, const Framing& framing) {
 }
 
 std::string engine_label(const Trajectory& trajectory) {
+  const std::string& contact = trajectory.contact_model;
   std::string label = trajectory.engine.empty() ? "run" : trajectory.engine;
-  if (!trajectory.integrator.empty()) label += " " + trajectory.integrator;
-  if (!trajectory.contact_model.empty()) label += ", " + trajectory.contact_model + " contact";
+  if (label == "mujoco") label = contact == "cone" ? "MuJoCo alone" : "MuJoCo with the plugin";
+  if (!trajectory.integrator.empty()) label += ": " + trajectory.integrator;
+  if (!contact.empty()) label += ", " + contact + " contact";
   return label;
 }
 

@@ -31,7 +31,9 @@ struct RenderOptions {
   // the start, without one) to the end.
   std::optional<double> from, to;
   // Seconds of film per second of the run, > 0, constant. Default: a film of length `duration` that
-  // is slower around impacts (FilmClock).
+  // is slower around impacts (FilmClock), and in which the whirl makes at most an eighth of a turn
+  // between frames in the decisive part: from shortly before the first contact on, or around the
+  // least gap.
   std::optional<double> slow_motion;
   double duration = 12.0;  // s of film, > 0, used without slow_motion
   // Magnification of displacements and clearance, >= 1, in the cross-section at the contact and in
@@ -39,7 +41,8 @@ struct RenderOptions {
   std::optional<double> magnification;
   std::optional<double> machine_magnification;
 
-  std::string title;  // default: the scene's name
+  std::string title;                  // default: the scene's name
+  std::string remark, beside_remark;  // after the label of each run: how their scenes differ
 
   // A second run of the same scene, drawn translucent at the same times. Not owned.
   const Trajectory* shadow = nullptr;
@@ -58,37 +61,54 @@ struct RenderOptions {
   std::function<void(double)> progress;
 };
 
+// A part of the run, s.
+struct Span {
+  double from = 0.0, to = 1.0;
+  double length() const { return to - from; }
+  bool has(double t) const { return t >= from && t <= to; }
+};
+
 // The clock of a film maps its time to the time of the run. It stretches the time around visible
 // impacts, so that they can be seen. Seconds of film per second of the run:
 //   slow(t) = base (1 + (kStretch - 1) max_i bump((t - t_i) / half)),
 //   bump(u) = (1 - u^2)^2 on (-1, 1)
 // around the chosen impacts t_i: the first of all runs, then the hardest that are at least `half`
-// apart. They take about half of the film.
+// apart. They take about half of the film. With a decisive part of the run, this applies within it;
+// it takes kDecisive of the film, and the rest of the run has one speed, slow(t) = rest.
 class FilmClock {
  public:
   static constexpr double kStretch = 10.0;
   static constexpr int kMostImpacts = 6;
+  static constexpr double kDecisive = 2.0 / 3.0;
 
   FilmClock() = default;
   // Constant slow motion; the film lasts `duration` s.
-  FilmClock(double from, double to, double duration);
-  // Stretched around impacts; `strikes`: of all shown runs.
-  FilmClock(double from, double to, double duration, std::span<const Strike> strikes);
+  FilmClock(const Span& run, double duration);
+  // Stretched around impacts; `strikes`: of all shown runs. By default the whole run is decisive.
+  FilmClock(const Span& run, double duration, std::span<const Strike> strikes,
+            const std::optional<Span>& decisive = {});
 
   double time(double share) const;  // s of the run at this fraction of the film, [0, 1]
   double slow(double t) const;      // seconds of film per second of the run at t, s of the run
   double slowest() const;           // maximum of slow()
   double base() const { return base_; }
   const std::vector<double>& impacts() const { return impacts_; }  // s, ascending
+  // "slowed down 16 times from 98 ms to 220 ms, 160 times at 5 impacts, 7.4 times elsewhere"
+  std::string text() const;
 
  private:
   double stretch(double t) const;
   void fill();
 
-  double from_ = 0.0, to_ = 1.0;
+  Span run_, decisive_;
   double base_ = 1.0, half_ = 0.0;
+  double rest_ = 1.0;  // slow() in the rest of the run, relative to base_
   std::vector<double> impacts_;
-  std::vector<double> film_;  // fraction of the film at equal steps of the run
+  // The run's time and the fraction of the film at it; empty if the speed is constant.
+  struct Knot {
+    double t, film;
+  };
+  std::vector<Knot> knots_;
 };
 
 // Properties that all pictures of a film share; they are also written into the pictures.
@@ -118,7 +138,7 @@ inline Framing make_framing(const Playback& run, const RenderOptions& options) {
 // Time of the hardest shown impact, or the middle of the shown part, s.
 double hardest_impact(const Playback& playback, const Framing& framing);
 
-// "native paper, rigid contact"
+// "native: event, rigid contact", "MuJoCo alone: Euler, cone contact"
 std::string engine_label(const Trajectory& trajectory);
 
 }  // namespace rotorub::renders

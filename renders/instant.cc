@@ -93,7 +93,7 @@ std::string length_text(double metres) {
 }
 
 namespace {
-constexpr int kTrailPoints = 72;
+constexpr int kTrailPoints = 96;
 constexpr double kFramesOfATurn = 2.0;  // with fewer, the whirl seems to turn another way
 constexpr double kFaintest = 0.15;      // weaker impacts are not drawn
 }  // namespace
@@ -103,10 +103,14 @@ Instant instant_at(const Playback& playback, double t, const Scales& scales,
   Instant instant;
   instant.pose = playback.at(t);
   const double oldest = std::max(playback.start(), t - options.trail_time);
-  const bool drawn = !playback.strobe(oldest, t);
-  instant.strobe = playback.strobe(oldest, t, options.frame_time * kPointsOfATurn / kFramesOfATurn);
-  if (instant.strobe && options.frame_time > 0.0 && drawn)
-    instant.strobe->spacing = options.frame_time;
+  instant.strobe = playback.strobe(oldest, t);
+  // The default clock may show a part of the run so fast that the path would need more points.
+  const bool drawn = !instant.strobe && !playback.strobe(oldest, t, (t - oldest) / kTrailPoints);
+  if (!instant.strobe && options.frame_time > 0.0) {
+    instant.strobe =
+        playback.strobe(oldest, t, options.frame_time * kPointsOfATurn / kFramesOfATurn);
+    if (instant.strobe) instant.strobe->spacing = options.frame_time;
+  }
   for (int i = 0; drawn && i <= kTrailPoints; ++i) {
     instant.trail.push_back(playback.at(oldest + (t - oldest) * i / kTrailPoints).rotor);
   }

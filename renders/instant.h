@@ -57,7 +57,7 @@ inline constexpr double kArrowShare = 0.85;  // longest arrow relative to the ro
 // What the views show at one time: the present pose, the recent path and recent impacts.
 struct Instant {
   Pose pose;
-  // m, centres of the rotor, from the oldest to the present one; empty if the rows undersample it.
+  // m, centres of the rotor, from the oldest to the present one; empty if they undersample it.
   std::vector<Eigen::Vector2d> trail;
   std::vector<Spark> sparks;
   std::optional<Strobe> strobe;  // why there is no trail, or why frames undersample the whirl
@@ -67,7 +67,7 @@ struct Instant {
 
 struct InstantOptions {
   double trail_time = 0.02;   // s
-  double frame_time = 0.0;    // s of the run, between frames; 0: a single picture
+  double frame_time = 0.0;    // s of the run, between frames; 0: undersampling is no fault
   double spark_time = 0.005;  // s, until the spark of an impact has faded
 };
 Instant instant_at(const Playback& playback, double t, const Scales& scales,

@@ -1,6 +1,9 @@
 // The colours of the pictures. Each has the same meaning in every view.
 #pragma once
 
+#include <cstddef>
+#include <iterator>
+
 namespace rotorub::renders {
 
 struct Color {
@@ -40,6 +43,13 @@ inline constexpr Color kLoad{0.32F, 0.22F, 0.62F};      // external force on the
 inline constexpr Color kStrike{1.0F, 0.74F, 0.10F};     // a recent impact
 inline constexpr Color kTrail{0.09F, 0.24F, 0.60F};     // path of the rotor's centre
 inline constexpr Color kGhost{0.56F, 0.20F, 0.70F};     // the second trajectory
+
+// The colour of a contact's name and curves where there are several.
+inline Color contact(std::size_t k) {
+  constexpr Color kContacts[] = {
+      kTrail, {0.0F, 0.56F, 0.60F}, {0.55F, 0.34F, 0.12F}, {0.35F, 0.60F, 0.10F}};
+  return kContacts[k % std::size(kContacts)];
+}
 
 }  // namespace palette
 }  // namespace rotorub::renders

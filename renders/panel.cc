@@ -6,125 +6,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "native_model/trajectory/columns.h"
 #include "renders/machine.h"
 #include "renders/palette.h"
 
 namespace rotorub::renders {
 
-Chart::Chart(const std::vector<double>& t, const std::vector<double>& values,
-             const Options& options)
-    : options_(options) {
-  int filled = -1;
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    if (t[i] < options.from || t[i] > options.to) continue;
-    const double place = (t[i] - options.from) / (options.to - options.from);
-    const int bucket = static_cast<int>(place * kBuckets);
-    if (bucket != filled) buckets_.push_back({t[i], values[i], values[i]});
-    filled = bucket;
-    Bucket& last = buckets_.back();
-    last.least = std::min(last.least, values[i]);
-    last.largest = std::max(last.largest, values[i]);
-    peak_ = std::max(peak_, values[i]);
-  }
-}
-
-// Zero and a plain number on each side of the scale, the larger first. For a logarithmic scale
-// every decade, from the top.
-std::vector<double> Chart::grid() const {
-  const ValueScale& scale = options_.scale;
-  if (!scale.logarithmic) {
-    std::vector<double> lines = {0.0};
-    if (scale.high > 0.0) lines.push_back(plain_number_below(scale.high));
-    if (scale.low < 0.0) lines.push_back(-plain_number_below(-scale.low));
-    std::sort(lines.begin(), lines.end(),
-              [](double a, double b) { return std::abs(a) > std::abs(b); });
-    return lines;
-  }
-  std::vector<double> lines;
-  for (double value = scale.high; value >= 0.999 * scale.low; value /= 10.0) lines.push_back(value);
-  return lines;
-}
-
-void Chart::draw_scale(Sheet& sheet, int text_size, double top, double height, double width) const {
-  std::vector<double> written;
-  for (const double value : grid()) {
-    const double y = std::floor(top + height * (1.0 - options_.scale.share(value)));
-    sheet.fill(0.0, y, width, 1.0, palette::kGrid);
-    const double label =
-        std::clamp(y - 0.45 * text_size, top, sheet.area().height - 1.2 * text_size);
-    const bool covers = std::any_of(written.begin(), written.end(), [&](double other) {
-      return std::abs(label - other) < 1.1 * text_size;
-    });
-    // A label next to the line of 0 would be read as its label.
-    const double zero = std::floor(top + height * (1.0 - options_.scale.share(0.0)));
-    const bool is_zero = value != 0.0 && options_.scale.low < 0.0 && std::abs(y - zero) < text_size;
-    if (value == 0.0 || covers || is_zero) continue;
-    sheet.text(width + 6.0, label, value_text(value, options_.unit), text_size, palette::kFaintInk);
-    written.push_back(label);
-  }
-}
-
-void Chart::draw(Sheet& sheet, int text_size, double now, const std::string& title,
-                 const std::vector<Reading>& readings) const {
-  const Area& area = sheet.area();
-  sheet.fill(0.0, 0.0, area.width, area.height, palette::kPaper);
-  const double gap = 0.6 * text_size;
-  double x = sheet.text(gap, 0.35 * text_size, title, text_size, palette::kInk);
-  for (const Reading& reading : readings) {
-    x = sheet.text(x + gap, 0.35 * text_size, reading.text, text_size, reading.color);
-  }
-  const bool clipped = options_.mark_clipped && options_.scale.clips(peak_);
-  // Next to title and readings if there is room for the longest of them, else below.
-  const bool below = clipped && area.width < 30.0 * text_size;
-  const double line = 0.35 * text_size + (below ? 1.3 * text_size : 0.0);
-  if (clipped) {
-    sheet.text_to(area.width - gap, line, "▲ peak " + value_text(peak_, options_.unit), text_size,
-                  options_.color, Weight::kBold);
-  }
-
-  const double top = line + 1.55 * text_size;
-  const double height = area.height - top - 3.0;
-  // Charts below each other have the same width, unless a label is wider.
-  double label = sheet.text_width("10,000 N s", text_size);
-  for (const double value : grid()) {
-    label = std::max(label, sheet.text_width(value_text(value, options_.unit), text_size));
-  }
-  const double width = area.width - label - 2.0 * gap;
-  draw_scale(sheet, text_size, top, height, width);
-  const auto row = [&](double value) { return top + height * (1.0 - options_.scale.share(value)); };
-  const auto column = [&](double t) {
-    return (width - 2.0) * (t - options_.from) / (options_.to - options_.from);
-  };
-  for (std::size_t i = 0; i < buckets_.size(); ++i) {
-    const Bucket& bucket = buckets_[i];
-    const Color color = bucket.t <= now ? options_.color : palette::kFuture;
-    const double at = column(bucket.t);
-    double right = at + 2.0, upper = row(bucket.largest), lower = row(0.0);
-    if (!options_.stems) {
-      // Each bucket extends to its neighbour, so that the curve has no gaps.
-      if (i + 1 == buckets_.size()) break;
-      const Bucket& next = buckets_[i + 1];
-      right = std::max(at + 1.0, column(next.t));
-      upper = row(std::max(bucket.largest, next.least));
-      lower = row(std::min(bucket.least, next.largest)) + 1.5;
-    }
-    sheet.fill(at, upper, right - at, lower - upper, color);
-    // A clipped value has a bar above the top.
-    if (options_.mark_clipped && options_.scale.clips(bucket.largest)) {
-      sheet.fill(at, top - 0.25 * text_size, std::max(2.0, right - at), 0.2 * text_size, color);
-    }
-  }
-  sheet.fill(column(std::clamp(now, options_.from, options_.to)), top, 2.0, height, palette::kInk);
-}
-
 namespace {
 
-std::vector<double> control_size(const Trajectory& trajectory) {
-  const auto& x = trajectory.column("control_x");
-  const auto& y = trajectory.column("control_y");
-  std::vector<double> size;
-  for (std::size_t i = 0; i < x.size(); ++i) size.push_back(std::hypot(x[i], y[i]));
-  return size;
+// The curves of one contact: those of a single contact have the colours of their quantities.
+Color curve_color(const FilmParts& film, std::size_t contact, const Color& alone) {
+  return film.contacts() == 1 ? alone : palette::contact(contact);
 }
 
 }  // namespace
@@ -137,47 +29,75 @@ Panel::Panel(const FilmParts& film, const PanelLayout& layout, const Trajectory&
 
 void Panel::make_charts(const Trajectory& trajectory) {
   const Scales& scales = film_->scales;
-  const auto& t = trajectory.column("t");
   Chart::Options options;
   options.from = film_->from;
   options.to = film_->to;
+  options.text_size = film_->text_size;
+  const auto column = [&](std::size_t contact, const char* name) {
+    const std::string full = column_of_contact(contact, name);
+    return trajectory.has(full) ? trajectory.column(full) : std::vector<double>();
+  };
+  const auto add = [&](const Color& alone, const auto& curve_of) {
+    std::vector<Chart::Curve> curves;
+    for (std::size_t k = 0; k < film_->contacts(); ++k) {
+      curves.push_back(curve_of(k));
+      curves.back().color = curve_color(*film_, k, alone);
+    }
+    const Area& area = layout_.charts[charts_.size()];
+    options.width = area.width;
+    options.height = area.height;
+    // Of charts below each other, the last one has the times.
+    options.times = area.bottom() == layout_.charts.back().bottom();
+    charts_.emplace_back(options, curves);
+  };
+  const auto& t = trajectory.column("t");
 
   // The free orbit before contact exceeds the scale of the gap chart.
   options.mark_clipped = false;
   options.scale = scales.gap;
-  options.color = palette::kTrail;
+  options.title = "gap";
   options.unit = "µm";
-  std::vector<double> gap = trajectory.column("gap");
-  for (double& value : gap) value *= 1e6;
-  charts_.emplace_back(t, gap, options);
+  add(palette::kTrail, [&](std::size_t k) {
+    std::vector<double> gap = column(k, "gap");
+    for (double& value : gap) value *= 1e6;
+    return Chart::Curve{t, gap};
+  });
 
   options.mark_clipped = true;
-  options.color = palette::kNormal;
   if (scales.impulses) {
     options.scale = scales.impulse;
+    options.title = "last impulse";
     options.unit = "N s";
     options.stems = true;
-    std::vector<double> times, impulses;
-    for (const Strike& strike : run_->playback.strikes()) {
-      times.push_back(strike.t);
-      impulses.push_back(strike.impulse);
-    }
-    charts_.emplace_back(times, impulses, options);
+    add(palette::kNormal, [&](std::size_t k) {
+      Chart::Curve impulses;
+      for (const Strike& strike : run_->at_contact(k).strikes()) {
+        impulses.t.push_back(strike.t);
+        impulses.values.push_back(strike.impulse);
+      }
+      return impulses;
+    });
+    options.stems = false;
   } else {
     options.scale = scales.force;
     if (!(scales.force.high > 0.0)) options.scale.high = 1.0;
+    options.title = "force";
     options.unit = "N";
-    charts_.emplace_back(t, trajectory.column("normal_force"), options);
+    add(palette::kNormal, [&](std::size_t k) {
+      return Chart::Curve{t, column(k, "normal_force")};
+    });
   }
-  options.stems = false;
 
   if (!(scales.control.high > 0.0)) return;
   options.scale = scales.control;
-  options.color = palette::kControl;
+  options.title = "control";
   options.unit = "N";
-  const bool controlled = trajectory.has("control_x");
-  charts_.emplace_back(
-      t, controlled ? control_size(trajectory) : std::vector<double>(t.size(), 0.0), options);
+  add(palette::kControl, [&](std::size_t k) {
+    const std::vector<double> x = column(k, "control_x"), y = column(k, "control_y");
+    std::vector<double> size(t.size(), 0.0);
+    for (std::size_t i = 0; i < x.size(); ++i) size[i] = std::hypot(x[i], y[i]);
+    return Chart::Curve{t, size};
+  });
 }
 
 // Several sections are stacked vertically.
@@ -198,12 +118,12 @@ void Panel::draw_sections(const Sheet& picture, const Instant& instant,
       film_->further[at].view.draw(sheet, further[at], nullptr);
     }
     if (count == 1) continue;
-    const Pose& pose = k == 0 ? instant.pose : further[static_cast<std::size_t>(k - 1)].pose;
-    const std::string& name =
-        k == 0 ? film_->contact_name : film_->further[static_cast<std::size_t>(k - 1)].name;
+    const auto contact = static_cast<std::size_t>(k);
+    const Pose& pose = k == 0 ? instant.pose : further[contact - 1].pose;
     const int size = film_->text_size;
     const double y = area.height - 1.5 * size;
-    const double x = sheet.text(0.6 * size, y, name, size, palette::kInk, Weight::kBold);
+    const double x = sheet.text(0.6 * size, y, film_->name_of(contact), size,
+                                palette::contact(contact), Weight::kBold);
     const bool touching = pose.mode != Mode::kFree;
     sheet.text(x + 0.6 * size, y, to_string(pose.mode), size,
                touching ? palette::kNormal : palette::kFaintInk);
@@ -218,25 +138,30 @@ void Panel::draw(const Sheet& picture, const Instant& instant, const std::vector
     film_->unrolled_view->draw(sheet, film_->text_size, run_->playback, instant, trail_time,
                                ghost_ != nullptr ? &ghost_->playback : nullptr);
   }
-  if (layout_.machine.width > 0) write_machine_text(picture.part(layout_.machine));
+  if (layout_.machine.width > 0) {
+    write_machine_text(picture.part(layout_.machine));
+  } else {
+    write_key(picture.part(layout_.section.width > 0 ? layout_.section : layout_.unrolled),
+              film_->text_size);
+  }
   write_caption(picture.part(layout_.caption), instant);
-  if (!charts_.empty()) draw_charts(picture, instant.pose);
+  if (!charts_.empty()) draw_charts(picture, instant, further);
 }
 
 void Panel::write_caption(Sheet sheet, const Instant& instant) const {
   const Pose& pose = instant.pose;
   const int size = film_->text_size;
-  double x = sheet.text(size, 0.3 * size, run_->label, size, palette::kInk);
-  if (ghost_ != nullptr) {
-    sheet.text(size, 1.6 * size, "translucent: " + ghost_->label, size, palette::kGhost);
-  }
-  if (instant.strobe) {
-    const double y = (ghost_ != nullptr ? 2.9 : 1.6) * size;
-    const std::string text = strobe_text(*instant.strobe);
+  const double x = sheet.text(size, 0.3 * size, run_->label, size, palette::kInk);
+  double y = 0.3 * size;
+  const auto line = [&](const std::string& text, const Color& color) {
+    y += 1.3 * size;
     sheet.fill(size, y, sheet.text_width(text, size), 1.3 * size,
                palette::kBackground.with_alpha(0.8));
-    sheet.text(size, y, text, size, palette::kNormal);
-  }
+    sheet.text(size, y, text, size, color);
+  };
+  if (!run_->remark.empty()) line(run_->remark, palette::kInk);
+  if (ghost_ != nullptr) line("translucent: " + ghost_->label, palette::kGhost);
+  if (instant.strobe) line(strobe_text(*instant.strobe), palette::kNormal);
   if (!film_->has_contact() || !film_->further.empty()) return;
   const bool touching = pose.mode != Mode::kFree;
   sheet.text(x + size, 0.3 * size, to_string(pose.mode), size,
@@ -255,7 +180,34 @@ void Panel::write_machine_text(Sheet sheet) const {
   const Machine& machine = film_->machine;
   std::string text = fmt::format("displacements ×{:.4g}", machine.magnification);
   if (machine.schematic) text += ", shaft schematic";
-  sheet.text(size, sheet.area().height - 1.6 * size, text, size, palette::kInk);
+  const double x = sheet.text(size, sheet.area().height - 1.6 * size, text, size, palette::kInk);
+  write_key(sheet, x + size);
+}
+
+// The meaning of the colours, at the bottom of the area from x on, as far as there is room.
+void Panel::write_key(Sheet sheet, double x) const {
+  if (!film_->has_contact()) return;
+  const int size = film_->text_size;
+  const double y = sheet.area().height - 1.6 * size;
+  const bool loads = !film_->machine.loads.empty() && layout_.machine.width > 0;
+  const struct {
+    const char* name;
+    Color color;
+    bool seen;
+  } entries[] = {{"path", palette::kTrail, layout_.machine.width == 0 || layout_.section.width > 0},
+                 {"normal force", palette::kNormal, !film_->scales.impulses},
+                 {"friction", palette::kFriction, layout_.section.width > 0},
+                 {"control", palette::kControl, film_->scales.control.high > 0.0},
+                 {"load", palette::kLoad, loads},
+                 {"impact", palette::kStrike, !run_->playback.strikes().empty()}};
+  for (const auto& [name, color, seen] : entries) {
+    const double end = x + 1.8 * size + sheet.text_width(name, size);
+    if (!seen || end > sheet.area().width) continue;
+    sheet.fill(x, y, end - x, 1.2 * size, palette::kBackground.with_alpha(0.8));
+    sheet.fill(x, y + 0.15 * size, 0.6 * size, 0.6 * size, color);
+    sheet.text(x + 0.9 * size, y, name, size, palette::kFaintInk);
+    x = end;
+  }
 }
 
 // Scale bars for the clearance and the forces.
@@ -293,30 +245,35 @@ void Panel::write_scale_bars(Sheet sheet) const {
                 fmt::format("×{:.4g}", film_->section.magnification), size, palette::kInk);
 }
 
-void Panel::draw_charts(const Sheet& picture, const Pose& pose) const {
-  const int size = film_->text_size;
-  const auto draw = [&](std::size_t k, const std::string& title,
-                        const std::vector<Chart::Reading>& readings) {
-    Sheet sheet = picture.part(layout_.charts[k]);
-    const std::string& of = film_->contact_name;
-    charts_[k].draw(sheet, size, pose.t, of.empty() ? title : of + ": " + title, readings);
+void Panel::draw_charts(const Sheet& picture, const Instant& instant,
+                        const std::vector<Instant>& further) const {
+  const auto draw = [&](std::size_t chart, const Color& alone, const auto& text_of) {
+    std::vector<Chart::Reading> readings;
+    for (std::size_t k = 0; k < film_->contacts(); ++k) {
+      const Pose& pose = k == 0 ? instant.pose : further[k - 1].pose;
+      readings.push_back({text_of(k, pose), curve_color(*film_, k, alone)});
+    }
+    if (chart == 1 && film_->contacts() == 1 && !film_->scales.impulses) {
+      readings.push_back(
+          {"friction " + value_text(instant.pose.friction_force, "N"), palette::kFriction});
+    }
+    Sheet sheet = picture.part(layout_.charts[chart]);
+    charts_[chart].draw(sheet, instant.pose.t, readings);
   };
-  draw(0, "gap",
-       {{fmt::format("{:.1f} µm", std::abs(pose.gap) < 0.05e-6 ? 0.0 : 1e6 * pose.gap),
-         palette::kTrail}});
-  if (film_->scales.impulses) {
+  draw(0, palette::kTrail, [](std::size_t, const Pose& pose) {
+    return fmt::format("{:.1f} µm", std::abs(pose.gap) < 0.05e-6 ? 0.0 : 1e6 * pose.gap);
+  });
+  draw(1, palette::kNormal, [&](std::size_t k, const Pose& pose) {
+    if (!film_->scales.impulses) return value_text(pose.normal_force, "N");
     double last = 0.0;
-    for (const Strike& strike : run_->playback.strikes()) {
+    for (const Strike& strike : run_->at_contact(k).strikes()) {
       if (strike.t <= pose.t) last = strike.impulse;
     }
-    draw(1, "last impulse", {{fmt::format("{:.4f} N s", last), palette::kNormal}});
-  } else {
-    draw(1, "force",
-         {{value_text(pose.normal_force, "N"), palette::kNormal},
-          {"friction " + value_text(pose.friction_force, "N"), palette::kFriction}});
-  }
+    return fmt::format("{:.4f} N s", last);
+  });
   if (charts_.size() > 2) {
-    draw(2, "control", {{value_text(pose.control.norm(), "N"), palette::kControl}});
+    draw(2, palette::kControl,
+         [](std::size_t, const Pose& pose) { return value_text(pose.control.norm(), "N"); });
   }
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "renders/chart.h"
 #include "renders/instant.h"
 #include "renders/layout.h"
 #include "renders/section_view.h"
@@ -13,47 +14,12 @@
 
 namespace rotorub::renders {
 
-// A curve over the whole film, with a mark at the present time.
-class Chart {
- public:
-  struct Options {
-    double from = 0.0, to = 1.0;  // s
-    ValueScale scale;
-    Color color{0.0F, 0.0F, 0.0F};
-    std::string unit;
-    bool mark_clipped = true;  // marks values beyond the scale
-    bool stems = false;        // separate values, each drawn as a line from 0, instead of a curve
-  };
-  // A text for the present value, in its own colour.
-  struct Reading {
-    std::string text;
-    Color color{0.0F, 0.0F, 0.0F};
-  };
-
-  // Values beyond the scale are clipped and marked at the top, with the peak as text. Longer series
-  // are reduced to the least and largest value of each of `kBuckets` buckets.
-  Chart(const std::vector<double>& t, const std::vector<double>& values, const Options& options);
-  void draw(Sheet& sheet, int text_size, double now, const std::string& title,
-            const std::vector<Reading>& readings) const;
-
- private:
-  static constexpr int kBuckets = 600;
-  struct Bucket {
-    double t, least, largest;
-  };
-  void draw_scale(Sheet& sheet, int text_size, double top, double height, double width) const;
-  std::vector<double> grid() const;
-
-  Options options_;
-  std::vector<Bucket> buckets_;
-  double peak_ = 0.0;
-};
-
 // A run that is shown, or its ghost.
 struct ShownRun {
   Playback playback;
-  std::string label;
+  std::string label, remark;
   std::vector<Playback> further;  // the same run at each contact after the first
+  const Playback& at_contact(std::size_t k) const { return k == 0 ? playback : further[k - 1]; }
 };
 
 // The cross-section at a further contact, in the scale of all contacts.
@@ -75,6 +41,10 @@ struct FilmParts {
   double clearance = 0.0;  // m
   int text_size = 17;
   bool has_contact() const { return section_view.has_value(); }
+  std::size_t contacts() const { return 1 + further.size(); }
+  const std::string& name_of(std::size_t contact) const {
+    return contact == 0 ? contact_name : further[contact - 1].name;
+  }
   int charts() const { return !has_contact() ? 0 : scales.control.high > 0.0 ? 3 : 2; }
 };
 
@@ -95,11 +65,13 @@ class Panel {
 
  private:
   void make_charts(const Trajectory& trajectory);
-  void draw_charts(const Sheet& picture, const Pose& pose) const;
+  void draw_charts(const Sheet& picture, const Instant& instant,
+                   const std::vector<Instant>& further) const;
   void draw_sections(const Sheet& picture, const Instant& instant,
                      const std::vector<Instant>& further, const Pose* ghost) const;
   void write_caption(Sheet sheet, const Instant& instant) const;
   void write_machine_text(Sheet sheet) const;
+  void write_key(Sheet sheet, double x) const;
   void write_scale_bars(Sheet sheet) const;
 
   const FilmParts* film_;

@@ -133,16 +133,37 @@ double Playback::whirl(std::size_t row) const {
   return square > 0.0 ? (d[0] * v[1] - d[1] * v[0]) / square : 0.0;
 }
 
-std::optional<Strobe> Playback::strobe(double from, double to, double spacing) const {
-  std::vector<double> whirls;
+std::pair<std::size_t, std::size_t> Playback::rows_of(double from, double to) const {
   const std::size_t first = row_before(from);
-  std::size_t row = first;
-  for (; row + 1 < time_->size() && (*time_)[row] <= to; ++row) whirls.push_back(whirl(row));
-  if (whirls.empty()) return std::nullopt;
+  std::size_t end = first;
+  while (end + 1 < time_->size() && (*time_)[end] <= to) ++end;
+  return {first, end};
+}
+
+double Playback::median_whirl(double from, double to) const {
+  const auto [first, end] = rows_of(from, to);
+  std::vector<double> whirls;
+  for (std::size_t row = first; row < end; ++row) whirls.push_back(whirl(row));
+  if (whirls.empty()) return 0.0;
   const auto middle = whirls.begin() + static_cast<std::ptrdiff_t>(whirls.size() / 2);
   std::nth_element(whirls.begin(), middle, whirls.end());
-  const double apart = ((*time_)[row] - (*time_)[first]) / static_cast<double>(whirls.size());
-  const Strobe strobe{*middle, std::max(spacing, apart)};
+  return *middle;
+}
+
+double Playback::closest(double from, double to) const {
+  const auto [first, end] = rows_of(from, to);
+  const auto at = [this](std::size_t row) {
+    return gap_->begin() + static_cast<std::ptrdiff_t>(row);
+  };
+  return (
+      *time_)[static_cast<std::size_t>(std::min_element(at(first), at(end) + 1) - gap_->begin())];
+}
+
+std::optional<Strobe> Playback::strobe(double from, double to, double spacing) const {
+  const auto [first, end] = rows_of(from, to);
+  if (first == end) return std::nullopt;
+  const double apart = ((*time_)[end] - (*time_)[first]) / static_cast<double>(end - first);
+  const Strobe strobe{median_whirl(from, to), std::max(spacing, apart)};
   const double turn = std::abs(strobe.whirl) * strobe.spacing;
   if (turn * kPointsOfATurn <= 2.0 * std::numbers::pi) return std::nullopt;
   return strobe;

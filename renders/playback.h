@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "native_model/trajectory/trajectory.h"
@@ -66,6 +67,8 @@ class Playback {
   // has a small median. Nothing if the path can be drawn or if the series has no velocities.
   // A spacing below the mean spacing of the rows is raised to it.
   std::optional<Strobe> strobe(double from, double to, double spacing = 0.0) const;
+  double median_whirl(double from, double to) const;  // rad/s, of those rows
+  double closest(double from, double to) const;       // time of the row with the least gap, s
 
   double start() const { return time_->front(); }  // s
   double end() const { return time_->back(); }
@@ -96,6 +99,8 @@ class Playback {
   using Pair = std::array<Track, 2>;  // for two axes
   Track track(const std::string& value, const std::string& rate) const;
   std::size_t row_before(double t) const;
+  // The rows in which the motion over [from, to] begins, at least one but for the last row.
+  std::pair<std::size_t, std::size_t> rows_of(double from, double to) const;
   double interpolate(const Track& track, std::size_t row, double t, bool smooth) const;
   bool impact_between(double from, double to) const;
   double whirl(std::size_t row) const;  // rad/s; 0 without velocities

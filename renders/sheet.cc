@@ -153,6 +153,14 @@ void Sheet::arc(const Point& center, double radius, double from, double to) {
   draw(pen_.get(), center[0], center[1], std::max(radius, 0.0), -from, -to);
 }
 
+void Sheet::show(const Picture& picture, double from, double to) {
+  if (!(to > from)) return;
+  cairo_set_source_surface(pen_.get(), picture.surface(), 0.0, 0.0);
+  cairo_rectangle(pen_.get(), std::round(from), 0.0, std::round(to) - std::round(from),
+                  picture.height());
+  cairo_fill(pen_.get());
+}
+
 void Sheet::fill(double x, double y, double width, double height, const Color& color) {
   if (!(width > 0.0) || !(height > 0.0)) return;
   cairo_rectangle(pen_.get(), x, y, width, height);

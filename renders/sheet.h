@@ -61,6 +61,8 @@ class Sheet {
   const Area& area() const { return area_; }
   Sheet part(const Area& area) const { return {*picture_, area}; }  // of the picture
 
+  // The columns [from, to) of a picture, in their places.
+  void show(const Picture& picture, double from, double to);
   void fill(double x, double y, double width, double height, const Color& color);
   void polyline(std::span<const Point> points, double width, const Color& color);  // round ends
   void bar(const Point& from, const Point& to, double width, const Color& color);  // flat ends

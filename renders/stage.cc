@@ -17,9 +17,9 @@ namespace {
 constexpr int kDepthBits = 24, kStencilBits = 8;
 
 constexpr int kShapes = 4000;   // capacity of the scene
-constexpr int kRoundness = 32;  // sides of MuJoCo's round primitives
+constexpr int kRoundness = 24;  // sides of MuJoCo's round primitives
 // layers of round primitives; each triangle costs time in software rendering
-constexpr int kStacks = 6;
+constexpr int kStacks = 4;
 
 void append(std::string& out, const std::vector<Eigen::Vector3d>& points) {
   for (const Eigen::Vector3d& p : points) {

@@ -87,7 +87,7 @@ void UnrolledView::draw(Sheet& sheet, int text_size, const Playback& playback,
   const Area& area = sheet.area();
   const int left = static_cast<int>(sheet.text_width("-100 µm", text_size)) + text_size;
   const Area plot{left, 3 * text_size, area.width - left - 2 * text_size,
-                  area.height - 5 * text_size};
+                  area.height - 7 * text_size};
   draw_grid(sheet, text_size, plot);
   if (ghost != nullptr) {
     draw_path(sheet, plot, *ghost, instant.pose.t, trail_time, palette::kGhost);

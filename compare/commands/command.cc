@@ -98,6 +98,13 @@ hdf5::ImageOf hdf5_of(const std::string& format) {
   return image_of;
 }
 
+void add_units_option(CLI::App& command, PrintOptions& options) {
+  add_option(command, "--units", options.units,
+             "Units on the terminal: si, mm (mm and N) or us (mil and lbf); files and JSON keep "
+             "theirs (default: mm, µm and N)")
+      .one_of({"si", "mm", "us"});
+}
+
 std::vector<std::string> overrides_of(const CommonOptions& options) {
   std::vector<std::string> overrides;
   if (!options.controller.empty()) {
@@ -235,7 +242,8 @@ void say_failure(const scene::Scene& scene, const std::string& what, const Traje
 }
 
 int finish(const result::Section& result, const PrintOptions& options, int code) {
-  result::print(result, {options.json, options.quiet, palette_of(stdout)});
+  result::print(result,
+                {options.json, options.quiet, palette_of(stdout), result::units_of(options.units)});
   return code;
 }
 

@@ -49,6 +49,7 @@ class Interrupted : public std::runtime_error {
 
 struct PrintOptions {
   bool json = false, quiet = false;
+  std::string units{};  // si, mm or us; empty: as the results are written
 };
 
 struct CommonOptions : PrintOptions {
@@ -61,6 +62,8 @@ struct CommonOptions : PrintOptions {
 // --set, --json, --quiet, and --step and --end.
 void add_common_options(CLI::App& command, CommonOptions& options);
 void add_run_options(CLI::App& command, CommonOptions& options);
+// --units
+void add_units_option(CLI::App& command, PrintOptions& options);
 // --controller and --allow-library, or only --allow-library. A command without the latter opens no
 // library of a scene.
 void add_controller_option(CLI::App& command, CommonOptions& options);

@@ -182,7 +182,8 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
     bar.clear();
     write_runs(options.folder, c, hdf5);
     if (c.interrupted) break;
-    say(options, (k > 0 ? "\n" : "") + result::text_of(comparison_result(c), palette_of(stdout)));
+    say(options, (k > 0 ? "\n" : "") + result::text_of(comparison_result(c), palette_of(stdout),
+                                                       result::units_of(options.units)));
     comparisons.push_back(std::move(c));
   }
   return comparisons;
@@ -278,6 +279,7 @@ Command add_compare_command(CLI::App& program) {
       .excludes(add_flag(app, "--no-video", options->no_video, "Make no films"));
   add_run_options(app, *options);
   add_controller_option(app, *options);
+  add_units_option(app, *options);
   add_common_options(app, *options);
   return {&app, [options] { return compare(*options); }};
 }

@@ -115,12 +115,8 @@ std::vector<Job> jobs_of(const std::filesystem::path& folder, const SceneCompari
 }
 
 std::string caption(const std::string& label, bool beside, const renders::Framing& framing) {
-  std::string slow = fmt::format("slowed down {:.3g} times", framing.clock.base());
-  if (!framing.clock.impacts().empty()) {
-    slow += fmt::format(", {:.3g} times at impacts", framing.clock.slowest());
-  }
   return fmt::format("{}{}; {}, displacements magnified {:.3g} times", label,
-                     beside ? " beside native" : "", slow, framing.magnification);
+                     beside ? " beside native" : "", framing.clock.text(), framing.magnification);
 }
 
 // The scales cover all runs of the scene, so that its films can be compared with each other.

@@ -333,6 +333,7 @@ Command add_modes_command(CLI::App& program) {
             "Key on the vertical axis of the rub map instead of the friction, e.g. "
             "stator.stiffness=1e4:1e6:20")
       .needs(map);
+  add_units_option(app, *options);
   add_common_options(app, *options);
   return {&app, [options] {
             check_page(options->output);

@@ -1,8 +1,11 @@
 // rotorub render: makes a film or picture of a scene or of a saved run.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -17,6 +20,7 @@
 #include "compare/study/scene_comparison.h"
 #include "native_model/control/library_file.h"
 #include "native_model/scene/text.h"
+#include "native_model/scene/toml_source.h"
 #include "native_model/trajectory/output.h"
 #include "renders/film.h"
 
@@ -49,6 +53,7 @@ scene::Scene scene_for_film(const RenderArguments& options, const renders::Rende
         options.source, libraries.front().file);
   }
   check_window(scene, film);
+  note_idle_step(options, scene.run.integrator);
   return scene;
 }
 
@@ -88,6 +93,48 @@ std::optional<StoredRun> run_beside(const std::string& folder, const StoredRun& 
   return beside;
 }
 
+// The values of a scene's text by their keys, "contact[1].friction" among them, as TOML.
+void add_values(const scene::TomlNode& node, const std::string& key,
+                std::map<std::string, std::string>& values) {
+  using Kind = scene::TomlNode::Kind;
+  for (const auto& [name, entry] : node.entries)
+    add_values(entry, key.empty() ? name : key + "." + name, values);
+  const auto is_table = [](const scene::TomlNode& item) { return item.kind == Kind::kTable; };
+  const bool is_list = node.kind == Kind::kArray && std::ranges::any_of(node.items, is_table);
+  for (std::size_t k = 0; is_list && k < node.items.size(); ++k)
+    add_values(node.items[k], fmt::format("{}[{}]", key, k), values);
+  if (node.kind == Kind::kTable || is_list) return;
+  scene::TomlNode line;
+  line.entries.emplace_back("v", node);
+  values[key] = scene::trimmed(scene::write_toml(line)).substr(std::string_view("v = ").size());
+}
+
+std::map<std::string, std::string> values_of(const scene::Scene& scene) {
+  std::map<std::string, std::string> values;
+  std::vector<scene::Diagnostic> ignored;
+  if (const auto root = scene::parse_toml(scene.text, scene.name, ignored))
+    add_values(*root, "", values);
+  return values;
+}
+
+// The values of a scene that differ from another one: "contact.friction = 0.3".
+std::string differences(const scene::Scene& scene, const scene::Scene& other) {
+  std::string text;
+  const auto values = values_of(scene), others = values_of(other);
+  for (const auto& [key, value] : values) {
+    const auto found = others.find(key);
+    // The rows of the series are no part of the motion.
+    if (key.starts_with("run.output_") || (found != others.end() && found->second == value))
+      continue;
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key, value);
+  }
+  for (const auto& [key, value] : others) {
+    if (key.starts_with("run.output_") || values.contains(key)) continue;
+    text += fmt::format("{}no {}", text.empty() ? "" : ", ", key);
+  }
+  return text;
+}
+
 // words, json: what only a picture or only a film has.
 result::Section result_of(const StoredRun& run, const renders::RenderOptions& film,
                           const renders::Framing& framing, const std::string& file,
@@ -122,12 +169,8 @@ result::Section make_film(const StoredRun& run, const FilmRequest& request,
                           const std::string& file) {
   const auto made = renders::render(run.scene, run.trajectory, request.options, file);
   const renders::FilmClock& clock = made.framing.clock;
-  std::string words =
-      fmt::format("{:.3g} s of film, slowed down {:.4g} times", made.film_s, clock.base());
-  if (!clock.impacts().empty()) {
-    words += fmt::format(", {:.4g} times at {} impacts", clock.slowest(), clock.impacts().size());
-  }
-  return result_of(run, request.options, made.framing, file, words,
+  return result_of(run, request.options, made.framing, file,
+                   fmt::format("{:.3g} s of film, {}", made.film_s, clock.text()),
                    {{"slow_motion", made.framing.slow_motion},
                     {"slow_motion_at_impacts", clock.slowest()},
                     {"frames", made.framing.frames},
@@ -158,6 +201,11 @@ int render_film(const RenderArguments& options) {
   if (shadow) request.options.shadow = &shadow->trajectory;
   const std::optional<StoredRun> beside = run_beside(options.film.beside, run);
   if (beside) request.options.beside = &beside->trajectory;
+  if (!is_run) request.options.remark = fmt::format("{}", fmt::join(options.overrides, ", "));
+  if (beside) {
+    request.options.remark = differences(run.scene, beside->scene);
+    request.options.beside_remark = differences(beside->scene, run.scene);
+  }
   request.options.progress = [&](double share) {
     if (interrupted()) throw Interrupted();
     bar.show(0.1 + 0.9 * share, "film");

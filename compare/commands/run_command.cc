@@ -180,6 +180,7 @@ Command add_run_command(CLI::App& program) {
            "Also find the largest Lyapunov exponent of the motion at the end of the native "
            "run (above 0: chaos), over 100 further turns of the shaft");
   add_controller_option(app, *options);
+  add_units_option(app, *options);
   add_common_options(app, *options);
   return {&app, [options] { return run(*options); }};
 }

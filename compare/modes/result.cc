@@ -106,19 +106,39 @@ std::vector<Part> torsion_parts(const RotorAnalysis& analysis) {
   return parts;
 }
 
+// The number of critical speeds that the terminal lists: those up to a few times the fastest speed
+// of the analysis, and the next one.
+std::size_t listed(const RotorAnalysis& analysis) {
+  constexpr double kFew = 3.0;
+  double fastest = 0.0;
+  for (const WhirlSpectrum& s : analysis.spectra) fastest = std::max(fastest, std::abs(s.speed));
+  const auto next = std::ranges::find_if(analysis.critical_speeds,
+                                         [&](double speed) { return std::abs(speed) > fastest; });
+  std::size_t count = next == analysis.critical_speeds.end() ? 0 : 1;
+  count += static_cast<std::size_t>(next - analysis.critical_speeds.begin());
+  while (count < analysis.critical_speeds.size() &&
+         std::abs(analysis.critical_speeds[count]) <= kFew * fastest) {
+    ++count;
+  }
+  return count;
+}
+
 // The critical speeds that unbalance excites; with isotropic planes it cannot drive backward whirl.
 std::vector<Part> critical_parts(const RotorAnalysis& analysis) {
   Table table{
       .place = "critical/#/{column}", .columns = {{"speed"}, {"whirl"}}, .seen = result::kNotPage};
+  const std::size_t count = listed(analysis);
   for (std::size_t k = 0; k < analysis.critical_speeds.size(); ++k) {
     const double speed = analysis.critical_speeds[k];
     const std::string whirl = to_string(analysis.critical_senses[k]);
+    const auto seen = k < count ? result::kAll : result::kJson;
     const bool beyond = analysis.table_end > 0.0 && speed > analysis.table_end;
     table.rows.push_back(
         {.items = {{speed, fmt::format("{:.7g} rad/s ({:.7g} rpm), ", speed, speed * kRpm)},
                    {whirl, whirl + (beyond ? " (beyond the bearings' tables, so their last values "
                                              "are used)"
-                                           : "")}}});
+                                           : "")}},
+         .seen = seen});
   }
   Table on_page{.seen = result::kPage};
   const auto add = column_adder(on_page, analysis.critical_speeds);
@@ -135,6 +155,12 @@ std::vector<Part> critical_parts(const RotorAnalysis& analysis) {
            Role::kHeading),
       table, on_page};
   if (table.rows.empty()) parts.emplace_back(line("  none"));
+  if (const std::size_t left = table.rows.size() - count; left > 0) {
+    Sentence rest = line(fmt::format("  and {} higher critical speed{}, which --json prints", left,
+                                     left > 1 ? "s" : ""));
+    rest.seen = result::kTerminal;
+    parts.emplace_back(std::move(rest));
+  }
   return parts;
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "compare/base/palette.h"
+#include "compare/result/shown_units.h"
 
 namespace rotorub::result {
 
@@ -150,7 +151,8 @@ struct Part : std::variant<Sentence, Table, Data, Section> {
 nlohmann::json json_of(const Section& result);
 nlohmann::ordered_json ordered_json_of(const Section& result);
 // Sentences are at most 80 columns wide.
-std::string text_of(const Section& result, const Palette& palette = Palette());
+std::string text_of(const Section& result, const Palette& palette = Palette(),
+                    Units units = Units::kAsWritten);
 // A list of what a page lays out (report/page/layout.js):
 //   {"heading": text}
 //   {"text", "mark", "tone", "toned": the words that have the tone}, or {"lines": text of several
@@ -166,6 +168,7 @@ nlohmann::json page_json(const Section& result);
 struct Printing {
   bool json = false, quiet = false;
   Palette palette{};
+  Units units = Units::kAsWritten;  // of the text
 };
 // Prints the result to standard output: as JSON and nothing else, as text, or not at all.
 void print(const Section& result, const Printing& how);

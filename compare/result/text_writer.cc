@@ -39,13 +39,14 @@ std::string line_of(const Table& table, const std::vector<Item>& items, std::str
 
 class TextWriter {
  public:
-  explicit TextWriter(const Palette& palette) : palette_(palette) {}
+  TextWriter(const Palette& palette, Units units) : palette_(palette), units_(units) {}
 
   std::string operator()(const Data&) const { return ""; }
 
   std::string operator()(const Sentence& s) const {
     if (!(s.seen & kTerminal)) return "";
-    std::string text = s.wraps ? wrapped(s.lead, s.text, s.indent) : s.lead + s.text;
+    const std::string words = in_units(s.text, units_);
+    std::string text = s.wraps ? wrapped(s.lead, words, s.indent) : s.lead + words;
     if (!text.ends_with('\n')) text += '\n';
     return palette_.paint_first(s.tone, std::move(text), s.toned.empty() ? s.lead : s.toned);
   }
@@ -53,13 +54,13 @@ class TextWriter {
   std::string operator()(const Table& table) const {
     if (!(table.seen & kTerminal)) return "";
     std::vector<Item> headings;
-    for (const Column& c : table.columns) headings.push_back({.text = c.heading});
+    for (const Column& c : table.columns) headings.push_back({.text = label(c.heading)});
     std::string text;
     if (std::ranges::any_of(table.columns, [](const Column& c) { return !c.heading.empty(); }))
       text += line_of(table, headings, table.lead, palette_);
     for (const Row& row : table.rows) {
       if (!(row.seen & kTerminal)) continue;
-      text += line_of(table, row.items, row.lead.empty() ? table.lead : row.lead, palette_);
+      text += line_of(table, shown(table, row), row.lead.empty() ? table.lead : row.lead, palette_);
       if (!row.note.text.empty()) text += (*this)(row.note);
     }
     return text;
@@ -73,7 +74,30 @@ class TextWriter {
   }
 
  private:
+  // A label or heading with its unit.
+  std::string label(const std::string& text) const {
+    const UnitChange* change = unit_change(text, units_);
+    if (!change) return text;
+    return text.substr(0, text.size() - change->from.size()) + std::string(change->to);
+  }
+
+  // The items of a row. The unit of a number stands at the end of the row's first item or of its
+  // column's heading.
+  std::vector<Item> shown(const Table& table, const Row& row) const {
+    std::vector<Item> items = row.items;
+    if (units_ == Units::kAsWritten || items.empty()) return items;
+    const UnitChange* of_row = unit_change(text_of(items[0]), units_);
+    for (std::size_t k = 0; k < std::min(items.size(), table.columns.size()); ++k) {
+      const UnitChange* of_column = unit_change(table.columns[k].heading, units_);
+      const UnitChange* change = of_column ? of_column : of_row;
+      const std::string text = text_of(items[k]);
+      items[k].text = change ? label(times(text, change->factor)) : in_units(text, units_);
+    }
+    return items;
+  }
+
   Palette palette_;
+  Units units_;
 };
 
 }  // namespace
@@ -98,15 +122,15 @@ Sentence line(std::string text, Role role) {
 
 void Section::add(std::vector<Part> more) { std::ranges::move(more, std::back_inserter(parts)); }
 
-std::string text_of(const Section& result, const Palette& palette) {
-  return TextWriter(palette)(result);
+std::string text_of(const Section& result, const Palette& palette, Units units) {
+  return TextWriter(palette, units)(result);
 }
 
 void print(const Section& result, const Printing& how) {
   if (how.json) {
     std::cout << json_text(json_of(result));
   } else if (!how.quiet) {
-    std::cout << text_of(result, how.palette);
+    std::cout << text_of(result, how.palette, how.units);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -188,6 +189,33 @@ Attractor read_attractor(const json& summary) {
   return Attractor::kUnknown;
 }
 
+// The figures of each of several contacts; the JSON has more of them.
+std::vector<result::Part> contacts_table(const scene::Scene& scene, const Trajectory& t) {
+  if (t.contacts < 2) return {};
+  const json all = contacts_json(scene, t);
+  result::Table table;
+  const auto add = result::column_adder(table, all);
+  add({.heading = "contact", .width = -14},
+      [](const json& c) { return result::Item{scene::printable(c["name"].get<std::string>())}; });
+  const auto number = [&](const char* heading, const auto& value) {
+    const int width = static_cast<int>(std::string_view(heading).size()) + 3;
+    add({.heading = heading, .width = width}, [&](const json& c) {
+      const json found = value(c);
+      return result::Item{.text = found.is_null() ? "-" : short_number(found.get<double>())};
+    });
+  };
+  number("first touch, ms", [](const json& c) {
+    return c["first_touch"].is_null() ? json() : json(1e3 * c["first_touch"].get<double>());
+  });
+  number("mean force, N", [&](const json& c) {
+    if (c["first_touch"].is_null()) return json();
+    return json(c["impulse_total"].get<double>() / (t.end - c["first_touch"].get<double>()));
+  });
+  number("impulse, N s", [](const json& c) { return c["impulse_total"]; });
+  number("impacts", [](const json& c) { return c["impacts"]; });
+  return {result::line("\nat each contact", result::Role::kCaption), table};
+}
+
 // Notes if the omitted modes affect the effective mass of rigid impacts, or if the whirl is faster
 // than the modes can follow.
 std::vector<result::Part> mode_notes(const std::optional<ContactMass>& mass,
@@ -272,6 +300,7 @@ result::Section run_result(const scene::Scene& scene, const Trajectory& t) {
     told.add({result::Sentence{rub_answer(m, cut), "  rubs: "}});
   }
   told.add({figures_table(m, t)});
+  told.add(contacts_table(scene, t));
   told.add(mode_notes(mass, above));
   return told;
 }

@@ -226,6 +226,11 @@ TEST(CliRefusal, NotesAStepThatHasNoEffect) {
   EXPECT_TRUE(contains(folder.done(run).err, "note: --step 10us has no effect"));
   EXPECT_EQ(folder.done(with(run, {"--integrator", "verlet"})).err, "");
   EXPECT_EQ(folder.done(with(run, {"--quiet"})).err, "");
+  const Arguments picture{
+      "render", shipped("bench_ring"), "--end", "1ms", "--step", "10us", "--png", "--size",
+      "320x180"};
+  EXPECT_TRUE(contains(folder.done(picture).err, "note: --step 10us has no effect"));
+  EXPECT_EQ(folder.done(with(picture, {"--set", "run.integrator=verlet"})).err, "");
 }
 
 TEST(CliRefusal, OfNumbersThatNoMachineHas) {

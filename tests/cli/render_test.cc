@@ -98,6 +98,24 @@ TEST(CliRender, ScenesAreChangedRunsAreNot) {
   EXPECT_TRUE(folder.has("bench_ring.png"));
 }
 
+// The pictures of two runs that are alike differ where the captions name the key that differs.
+TEST(CliRender, NamesTheKeyByWhichTheRunsDiffer) {
+  const Folder folder;
+  const auto run = [&](const std::string& out, const Words& more) {
+    const Outcome done = folder.done(
+        with({"run", shipped("bench_ring"), "--end", "5ms", "--quiet", "-o", out}, more));
+  };
+  run("a", {});
+  run("same", {});
+  run("other", {"--set", "run.step=2e-5"});  // no part of a run with adaptive steps
+  const auto picture = [&](const std::string& beside) {
+    folder.done({"render", "a", "--beside", beside, "--png", "--view", "axis", "--size", "640x360",
+                 "--at", "0", "--quiet", "-o", beside + ".png"});
+    return folder.text(beside + ".png");
+  };
+  EXPECT_NE(picture("same"), picture("other"));
+}
+
 TEST(CliRender, RunsOfOneSceneSideBySide) {
   const Folder folder;
   const auto run = [&](const std::string& scene, const Words& more) {

@@ -107,7 +107,7 @@ std::vector<Strike> strikes_at(const std::vector<double>& times) {
 }
 
 TEST(FilmClock, RunsEvenlyWithoutImpacts) {
-  const FilmClock clock(0.1, 0.3, 8.0, {});
+  const FilmClock clock({0.1, 0.3}, 8.0, {});
   EXPECT_EQ(clock.time(0.0), 0.1);
   EXPECT_DOUBLE_EQ(clock.time(0.5), 0.2);
   EXPECT_EQ(clock.time(1.0), 0.3);
@@ -116,7 +116,7 @@ TEST(FilmClock, RunsEvenlyWithoutImpacts) {
 
 TEST(FilmClock, StretchesAroundAnImpactInView) {
   const auto strikes = strikes_at({0.05, 0.2});  // the first is before the film
-  const FilmClock clock(0.1, 0.3, 8.0, strikes);
+  const FilmClock clock({0.1, 0.3}, 8.0, strikes);
   EXPECT_EQ(clock.impacts(), std::vector<double>{0.2});
   EXPECT_DOUBLE_EQ(clock.slow(0.2), 10.0 * clock.slow(0.12));
   EXPECT_DOUBLE_EQ(clock.slowest(), clock.slow(0.2));
@@ -129,7 +129,7 @@ TEST(FilmClock, StretchesAroundAnImpactInView) {
 TEST(FilmClock, SaysHowSlowItIs) {
   const auto strikes = strikes_at({0.15, 0.2, 0.28});
   const double duration = 8.0;
-  const FilmClock clock(0.1, 0.3, duration, strikes);
+  const FilmClock clock({0.1, 0.3}, duration, strikes);
   double before = clock.time(0.0);
   constexpr int kFrames = 2000;
   for (int k = 1; k <= kFrames; ++k) {
@@ -146,7 +146,7 @@ TEST(FilmClock, ManyImpactsShareHalfOfTheFilm) {
   for (int k = 0; k < 700; ++k) times.push_back(0.1 + 0.2 * k / 700.0);
   auto strikes = strikes_at(times);
   strikes[350].impulse = 5.0;
-  const FilmClock clock(0.1, 0.3, 8.0, strikes);
+  const FilmClock clock({0.1, 0.3}, 8.0, strikes);
   EXPECT_EQ(clock.impacts().size(), 6U);
   EXPECT_EQ(clock.impacts().front(), strikes.front().t) << "the first touch";
   EXPECT_NEAR(clock.slow(strikes[350].t), clock.slowest(), 1e-9 * clock.slowest()) << "the hardest";
@@ -154,6 +154,67 @@ TEST(FilmClock, ManyImpactsShareHalfOfTheFilm) {
   // a little more where they overlap or reach beyond the film.
   EXPECT_GE(clock.base(), 20.0);
   EXPECT_LT(clock.base(), 30.0);
+}
+
+TEST(FilmClock, SlowsDownADecisivePartForTwoThirdsOfTheFilm) {
+  const FilmClock clock({0.0, 10.0}, 9.0, {}, Span{1.0, 1.2});
+  EXPECT_NEAR(clock.slow(1.1), 6.0 / 0.2, 1e-9);
+  EXPECT_NEAR(clock.slow(0.5), 3.0 / 9.8, 1e-9);
+  EXPECT_DOUBLE_EQ(clock.slow(5.0), clock.slow(0.5));
+  EXPECT_EQ(clock.time(0.0), 0.0);
+  EXPECT_EQ(clock.time(1.0), 10.0);
+  EXPECT_NEAR(clock.time(1.0 / 9.8 / 3.0), 1.0, 1e-6);
+  EXPECT_NEAR(clock.time(1.0 / 9.8 / 3.0 + 2.0 / 3.0), 1.2, 1e-6);
+  EXPECT_EQ(clock.text(), "slowed down 30 times from 1 s to 1.2 s, 0.3061 times elsewhere");
+}
+
+// A whirl in touch with the ring from `touch` on, with velocities.
+Trajectory whirl_of(double turns_a_second, double touch) {
+  const double speed = 2.0 * 3.141592653589793 * turns_a_second;
+  Trajectory run = made_run(20001, [=](double t) {
+    const double size = t < touch ? 0.5 * kClearance : kClearance;
+    return Row{.rotor_x = size * std::cos(speed * t),
+               .rotor_y = size * std::sin(speed * t),
+               .normal_force = t < touch ? 0.0 : 10.0};
+  });
+  const std::vector<double> x = run.column("rotor_x"), y = run.column("rotor_y");
+  const std::vector<double> none(run.rows(), 0.0);
+  for (const char* name : {"stator_vx", "stator_vy"}) run.series.push_back({name, "", none});
+  run.series.push_back({"rotor_vx", "", y});
+  run.series.push_back({"rotor_vy", "", x});
+  for (double& v : run.series[run.series.size() - 2].values) v *= -speed;
+  for (double& v : run.series.back().values) v *= speed;
+  return run;
+}
+
+// The film of the main job had a whirl of which every frame showed more than a turn.
+TEST(Framing, AWhirlTurnsAtMostAnEighthBetweenFramesAfterTheFirstTouch) {
+  for (const double turns : {20.0, 300.0, 3000.0}) {
+    const Trajectory run = whirl_of(turns, 0.03);
+    RenderOptions options;
+    options.from = 0.0;
+    options.duration = 6.0;
+    options.frames_per_second = 25.0;
+    const Framing framing = make_framing(Playback(run), options);
+    const double frame = 1.0 / (25.0 * framing.clock.slow(0.03));
+    EXPECT_LE(turns * frame, 1.0 / 8.0) << turns;
+    EXPECT_EQ(framing.time(framing.frames - 1), 0.1) << "the rest is shown as well";
+    options.slow_motion = 60.0;
+    EXPECT_DOUBLE_EQ(make_framing(Playback(run), options).clock.slow(0.03), 60.0);
+  }
+}
+
+TEST(Framing, LabelsBeginWithTheWordsOfAComparison) {
+  Trajectory run;
+  run.engine = "mujoco";
+  run.integrator = "Euler";
+  run.contact_model = "cone";
+  EXPECT_EQ(engine_label(run), "MuJoCo alone: Euler, cone contact");
+  run.contact_model = "rigid";
+  EXPECT_EQ(engine_label(run), "MuJoCo with the plugin: Euler, rigid contact");
+  run.engine = "native";
+  run.integrator = "event";
+  EXPECT_EQ(engine_label(run), "native: event, rigid contact");
 }
 
 }  // namespace

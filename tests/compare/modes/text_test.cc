@@ -52,6 +52,15 @@ TEST(ModesJson, GivesTheThreshold) {
               result["critical_speeds"][0].get<double>(), 1e-6);
 }
 
+// The terminal lists the critical speeds near the speed of the rotor, the JSON all of them.
+TEST(ModesTable, CountsTheCriticalSpeedsFarAbove) {
+  const result::Section slow = modes_result("", analyse_rotor(friswell(), {1.0}));
+  EXPECT_EQ(result::json_of(slow).at("critical").size(), 3u);
+  EXPECT_NE(result::text_of(slow).find("and 2 higher critical speeds"), std::string::npos);
+  const std::string fast = result::text_of(modes_result("", analyse_rotor(friswell(), {1e3})));
+  EXPECT_EQ(fast.find("higher critical speed"), std::string::npos) << fast;
+}
+
 TEST(ModesTable, FreeBodyAndBoundedSearch) {
   scene::Scene s;
   s.name = "one";

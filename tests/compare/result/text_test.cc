@@ -115,5 +115,23 @@ TEST(ResultPrint, IsJsonOrTextOrNothing) {
   EXPECT_EQ(printed({.quiet = true}), "");
 }
 
+// Units of sentences, of the labels of rows and of the headings of columns.
+TEST(ResultText, UnitsAreChosenForEveryTable) {
+  const auto of = [](Part part, Units units) {
+    return text_of({.parts = {std::move(part)}}, Palette(), units);
+  };
+  const Sentence gap{.text = "The gap is 10 µm at 100 N (10 kg m^2, 3 modes)."};
+  EXPECT_EQ(of(gap, Units::kUs), "The gap is 0.3937 mil at 22.48 lbf (10 kg m^2, 3 modes).\n");
+  EXPECT_EQ(of(gap, Units::kMm), "The gap is 0.01000 mm at 100 N (10 kg m^2, 3 modes).\n");
+  EXPECT_EQ(of(gap, Units::kAsWritten), gap.text + "\n");
+  const Table rows{.columns = {{"", "", -20}, {"", "", 6}},
+                   .rows = {{.items = {{"impulse, N s"}, {2.0}}}, {.items = {{"steps"}, {7}}}}};
+  EXPECT_EQ(of(rows, Units::kUs), "  impulse, lbf s    0.4496\n  steps                  7\n");
+  const Table columns{.columns = {{"", "station", -9}, {"z", "z / mm", 8}},
+                      .rows = {{.items = {{"disc"}, {100.0}}}}};
+  EXPECT_EQ(of(columns, Units::kUs), "  station z / mil\n  disc       3937\n");
+  EXPECT_EQ(of(columns, Units::kSi), "  station   z / m\n  disc     0.1000\n");
+}
+
 }  // namespace
 }  // namespace rotorub::result

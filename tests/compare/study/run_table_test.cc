@@ -67,5 +67,18 @@ TEST(RunTable, OfStepsOfItsOwnHasNoFigureOfTheStep) {
   EXPECT_GT(summary_json(scene, fixed).at("peak_force").get<double>(), 0.0);
 }
 
+TEST(RunTable, HasALineForEachOfSeveralContacts) {
+  const scene::Scene scene = test::shipped("two_catchers", {"run.end=0.02"});
+  const Trajectory run = test::run_event(scene);
+  const nlohmann::json contacts = summary_json(scene, run).at("contacts");
+  const std::string table = result::text_of(run_result(scene, run));
+  for (const nlohmann::json& contact : contacts) {
+    EXPECT_EQ(told(table, contact.at("name").get<std::string>()), contact.at("impacts").dump());
+  }
+  const scene::Scene one = test::shipped("bench_ring", {"run.end=0.01"});
+  EXPECT_EQ(result::text_of(run_result(one, test::run_event(one))).find("at each contact"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace rotorub
