@@ -180,10 +180,17 @@ FoundGuess guess_from_state(const Model& m, const State& state, double longest, 
     return failed(Status::kNoSolution,
                   "the run does not come back to a state it had, so its period is unknown");
   }
-  const MotionRecord motion = record_motion(m, state, state.t + found.guess.period, parameters);
+  return at_best_instant(m, found.guess, parameters);
+}
+
+FoundGuess at_best_instant(const Model& m, const Guess& guess, const EventParameters& parameters) {
+  const State& start = guess.start;
+  const MotionRecord motion = record_motion(m, start, start.t + guess.period, parameters);
   if (motion.status != Status::kOk) return failed(motion.status, motion.message);
-  const Arrival at = advance(m, state, best_instant(motion), parameters);
+  const Arrival at = advance(m, start, best_instant(motion), parameters);
   if (at.status != Status::kOk) return failed(at.status, at.message);
+  FoundGuess found;
+  found.guess = guess;
   found.guess.start = at.state;
   found.guess.held = at.held;
   return found;

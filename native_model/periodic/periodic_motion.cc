@@ -125,7 +125,8 @@ PeriodicMotion find_periodic_motion(const Model& model, const Guess& guess,
       const int halvings = fresh ? parameters.most_halvings : 0;
       double share = 1.0;
       for (int k = 0; k <= halvings; ++k, share *= 0.5) {
-        const State start = map.moved(motion.start, point, d.basis, share * step.c, motion.held);
+        const State start =
+            map.moved(motion.start, point.sizes, d.basis, share * step.c, motion.held);
         const double period = motion.period * (1.0 + share * step.of_period);
         Return next = map.at(start, period, motion.turns);
         if (!(next.residual < (fresh ? 1.0 : kGoodFall) * point.residual)) continue;

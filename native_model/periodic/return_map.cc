@@ -70,15 +70,16 @@ ReturnDerivative ReturnMap::derivative(const Return& point, const HeldContacts& 
   return d;
 }
 
-State ReturnMap::moved(const State& from, const Return& point, const Eigen::MatrixXd& basis,
-                       const Eigen::VectorXd& c, const HeldContacts& held) const {
+State ReturnMap::moved(const State& from, const Eigen::VectorXd& sizes,
+                       const Eigen::MatrixXd& basis, const Eigen::VectorXd& c,
+                       const HeldContacts& held) const {
   const int nq = model_->nq();
   const Eigen::VectorXd step = basis * c;
   State to = from;
   for (Eigen::Index i = 0; i < step.size(); ++i) {
     const int at = essential_.entries()[static_cast<std::size_t>(i)];
     double& entry = at < nq ? to.q[at] : to.v[at - nq];
-    entry += point.sizes[at] * step[i];
+    entry += sizes[at] * step[i];
   }
   project(to, held);
   return to;

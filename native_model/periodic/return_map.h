@@ -51,9 +51,9 @@ class ReturnMap {
   Return at(const State& start, double period, int turns) const;
   ReturnDerivative derivative(const Return& point, const HeldContacts& held) const;
 
-  // Moves the state by c (k values) within the tangent space `basis` of `from`, and back onto the
-  // constraints of the held contacts.
-  State moved(const State& from, const Return& point, const Eigen::MatrixXd& basis,
+  // Moves the state by c (k values) within the tangent space `basis`, expressed in these sizes, and
+  // back onto the constraints of the held contacts.
+  State moved(const State& from, const Eigen::VectorXd& sizes, const Eigen::MatrixXd& basis,
               const Eigen::VectorXd& c, const HeldContacts& held) const;
   // Moves the state onto the constraints of the held contacts.
   void project(State& state, const HeldContacts& held) const;
