@@ -68,14 +68,17 @@ BranchCorrector::BranchCorrector(const std::function<Model(double)>& model_at, d
       model_(model_at(parameter)),
       entries_(model_),
       start_{PointKind::kRegular, parameter, start} {
-  const ReturnMap map(model_, parameters.search.event);
+  turning_ = start.frame != 0.0;
+  const ReturnMap map = map_of(model_);
   const double period = map.forcing().period;
-  autonomous_ = period == 0.0;
-  if (!autonomous_) {
-    periods_ = static_cast<int>(std::lround(start.period / period));
-    phase_ = start.start.t / period;
-  }
+  autonomous_ = map.is_autonomous();
+  if (!autonomous_) periods_ = static_cast<int>(std::lround(start.period / period));
+  if (period > 0.0) phase_ = start.start.t / period;
   sizes_ = entries_.take(map.at(start.start, start.period, start.turns).sizes.data());
+}
+
+ReturnMap BranchCorrector::map_of(const Model& model) const {
+  return ReturnMap(model, parameters_->search.event, turning_);
 }
 
 Eigen::VectorXd BranchCorrector::essential(const State& state) const {
@@ -89,8 +92,8 @@ Eigen::VectorXd BranchCorrector::essential(const State& state) const {
 // constraints.
 void BranchCorrector::place(const Model& model, BranchPoint& at) const {
   const Forcing forcing = forcing_of(model);
-  if (!autonomous_) {
-    at.motion.period = periods_ * forcing.period;
+  if (!autonomous_) at.motion.period = periods_ * forcing.period;
+  if (forcing.period > 0.0) {
     const double early = forcing.settled / forcing.period - phase_;
     at.motion.start.t = (phase_ + std::max(0.0, std::ceil(early))) * forcing.period;
   }
@@ -119,13 +122,15 @@ std::shared_ptr<const BranchEquations> BranchCorrector::equations_at(const Branc
     beside.parameter += share * parameters_->scale;
     const Model model = (*model_at_)(beside.parameter);
     place(model, beside);
-    const ReturnMap there(model, parameters_->search.event);
-    const Return to = there.at(beside.motion.start, beside.motion.period, beside.motion.turns);
+    const Return to =
+        map_of(model).at(beside.motion.start, beside.motion.period, beside.motion.turns);
     if (to.status != Status::kOk) return Eigen::VectorXd::Constant(own.size(), kInfinity);
     return to.change.cwiseProduct(entries_.take(to.sizes.data())).cwiseQuotient(own);
   };
-  e.matrix.block(0, n - 1, k, 1) =
-      project * (change_at(kOfScale) - change_at(-kOfScale)) / (2.0 * kOfScale);
+  const ContinuationParameters& p = *parameters_;
+  const double low = std::max(-kOfScale, (p.lowest - at.parameter) / p.scale),
+               high = std::min(kOfScale, (p.highest - at.parameter) / p.scale);
+  e.matrix.block(0, n - 1, k, 1) = project * (change_at(high) - change_at(low)) / (high - low);
   return made;
 }
 
@@ -136,9 +141,10 @@ std::optional<CorrectedPoint> BranchCorrector::correct(
   double before = kInfinity;  // residual of the last iteration
   bool fresh = false;         // `near` belonged to its point
   for (int i = 0; i <= kMostCorrections; ++i) {
+    if (!is_in_range(at.parameter)) return {};
     const Model model = (*model_at_)(at.parameter);
     place(model, at);
-    const ReturnMap map(model, parameters_->search.event);
+    const ReturnMap map = map_of(model);
     const Return point = map.at(at.motion.start, at.motion.period, at.motion.turns);
     if (!(point.residual < kMostResidual) || (fresh && point.residual > before)) return {};
     const bool found = point.residual <= parameters_->search.tolerance;
@@ -206,12 +212,19 @@ std::optional<CorrectedPoint> BranchCorrector::next(const CorrectedPoint& from, 
   return correct(predicted(from, step), from.tangent, from.equations);
 }
 
+bool BranchCorrector::is_in_range(double parameter) const {
+  return parameter >= parameters_->lowest && parameter <= parameters_->highest;
+}
+
+bool BranchCorrector::stays_in_range(const CorrectedPoint& from, double step) const {
+  return is_in_range(predicted(from, step).parameter);
+}
+
 bool BranchCorrector::events_change(const CorrectedPoint& from, double step) const {
   BranchPoint to = predicted(from, step);
   const Model model = (*model_at_)(to.parameter);
   place(model, to);
-  const Return point = ReturnMap(model, parameters_->search.event)
-                           .at(to.motion.start, to.motion.period, to.motion.turns);
+  const Return point = map_of(model).at(to.motion.start, to.motion.period, to.motion.turns);
   return point.status != Status::kOk || events_of(point.motion) != from.events;
 }
 

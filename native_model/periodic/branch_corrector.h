@@ -44,16 +44,21 @@ class BranchCorrector {
 
   // The start as a point, with the tangent that leads to larger (direction > 0) or smaller p.
   std::optional<CorrectedPoint> first(double direction) const;
-  // The point at the arclength `step` from another; empty if Newton's method does not converge.
+  // The point at the arclength `step` from another; empty if Newton's method does not converge
+  // within the range of the parameter.
   std::optional<CorrectedPoint> next(const CorrectedPoint& from, double step) const;
-  // True if the motion at the arclength `step` along the tangent has other events.
+  // The parameter at the arclength `step` along the tangent is in its range.
+  bool stays_in_range(const CorrectedPoint& from, double step) const;
+  // True if the motion there has other events.
   bool events_change(const CorrectedPoint& from, double step) const;
 
  private:
   std::shared_ptr<const BranchEquations> equations_at(const BranchPoint& at, const Return& point,
                                                       const ReturnMap& map) const;
   void place(const Model& model, BranchPoint& at) const;
+  ReturnMap map_of(const Model& model) const;
   BranchPoint predicted(const CorrectedPoint& from, double step) const;
+  bool is_in_range(double parameter) const;
   // near: equations of a point nearby, which serve while they make the residual fall fast; or null.
   std::optional<CorrectedPoint> correct(BranchPoint at, const Tangent& along,
                                         std::shared_ptr<const BranchEquations> near) const;
@@ -67,7 +72,7 @@ class BranchCorrector {
   EssentialState entries_;
   Eigen::VectorXd sizes_;  // of the essential entries
   BranchPoint start_;
-  bool autonomous_ = false;
+  bool autonomous_ = false, turning_ = false;
   int periods_ = 1;     // n of the loads in one period
   double phase_ = 0.0;  // time of the start in periods, under loads
 };

@@ -21,6 +21,7 @@ constexpr double kReal = 1e-9;          // relative; smaller imaginary parts cou
 
 // Of Newton's method with equations from nearby.
 constexpr int kFewCorrections = 7, kManyCorrections = 12;
+constexpr double kOfLastStep = 0.999;  // of the distance to the end of the range
 constexpr double kBeyond = 0.05;  // of the first step, where the events of the next motion are seen
 
 constexpr double kOnCircle = 1e-7;  // multipliers of undamped motions stay on the circle
@@ -126,7 +127,8 @@ bool restart(const std::function<Model(double)>& model_at, const ContinuationPar
   const PeriodicMotion& motion = now.point.motion;
   const Model model = model_at(parameter);
   const FoundGuess begun = at_best_instant(
-      model, {motion.start, motion.period, motion.turns, motion.held}, parameters.search.event);
+      model, {motion.start, motion.period, motion.turns, motion.held, motion.frame != 0.0},
+      parameters.search.event);
   if (begun.status != Status::kOk) return false;
   const PeriodicMotion same = find_periodic_motion(model, begun.guess, parameters.search);
   if (!same.found()) return false;
@@ -136,6 +138,20 @@ bool restart(const std::function<Model(double)>& model_at, const ContinuationPar
   corrector = std::move(other);
   now = std::move(*at);
   return true;
+}
+
+// The point next to the end of the parameter's range, which the next step would pass.
+void add_last_point(const BranchCorrector& corrector, const CorrectedPoint& now,
+                    const ContinuationParameters& parameters, Branch& branch) {
+  branch.end = "the parameter leaves its range";
+  const double rate = parameters.scale * now.tangent.parameter;
+  const double end = rate > 0.0 ? parameters.highest : parameters.lowest;
+  const double step = kOfLastStep * (end - now.point.parameter) / rate;
+  if (step < parameters.least_step) return;
+  const auto last = corrector.next(now, step);
+  if (!last) return;
+  add_special_points(corrector, now, *last, step, branch.points);
+  branch.points.push_back(last->point);
 }
 
 }  // namespace
@@ -168,12 +184,15 @@ Branch continue_branch(const std::function<Model(double)>& model_at, double para
     return branch;
   }
   branch.points.push_back(now->point);
-  const auto inside = [&](double p) { return p >= parameters.lowest && p <= parameters.highest; };
   double step = parameters.first_step;
   bool can_restart = false;  // from another instant of the period
   while (static_cast<int>(branch.points.size()) < parameters.most_points) {
     const auto next = corrector->next(*now, step);
     if (!next) {
+      if (step <= parameters.first_step && !corrector->stays_in_range(*now, step)) {
+        add_last_point(*corrector, *now, parameters, branch);
+        return branch;
+      }
       step *= 0.5;
       if (step >= parameters.least_step) continue;
       if (can_restart && restart(model_at, parameters, corrector, *now)) {
@@ -182,15 +201,12 @@ Branch continue_branch(const std::function<Model(double)>& model_at, double para
         continue;
       }
       branch.end = "Newton's method does not converge beyond the last point";
-      if (corrector->events_change(*now, kBeyond * parameters.first_step)) {
+      const double beyond = kBeyond * parameters.first_step;
+      if (corrector->stays_in_range(*now, beyond) && corrector->events_change(*now, beyond)) {
         branch.end = "a contact grazes";
         if (branch.points.back().kind == PointKind::kRegular)
           branch.points.back().kind = PointKind::kGrazing;
       }
-      return branch;
-    }
-    if (!inside(next->point.parameter)) {
-      branch.end = "the parameter leaves its range";
       return branch;
     }
     add_special_points(*corrector, *now, *next, step, branch.points);

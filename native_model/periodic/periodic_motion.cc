@@ -89,12 +89,13 @@ PeriodicMotion find_periodic_motion(const Model& model, const Guess& guess,
   motion.period = guess.period;
   motion.turns = guess.turns;
   motion.held = guess.held;
-  const ReturnMap map(model, parameters.event);
+  const ReturnMap map(model, parameters.event, guess.turning);
+  motion.frame = map.frame().speed();
   if (!map.forcing().refusal.empty()) {
     end_with(motion, SearchStatus::kRefused, map.forcing().refusal);
     return motion;
   }
-  const bool autonomous = map.forcing().period == 0.0;
+  const bool autonomous = map.is_autonomous();
   map.project(motion.start, motion.held);
   Return point = map.at(motion.start, motion.period, motion.turns);
   if (point.status != Status::kOk) {

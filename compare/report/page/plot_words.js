@@ -65,7 +65,14 @@ const bifurcation = ({bifurcation: shown}) => [{plot: 'bifurcation', shape: 'wid
     'one of k turns, a cloud chaos or several frequencies. Dots upwards, rings downwards: where they differ, two motions stand side by side. ' +
     `Below, the largest Lyapunov exponent of the way up: above 0 neighbouring runs part, which is chaos. ${shown.note}`}];
 
-const kinds = {bench, rotor, whirl, loop, bifurcation};
+const branches = () => [
+  {plot: 'mean_force', shape: 'wide tall', title: 'Branches of periodic rubs', unit: 'N', text: 'mean normal force of one period; solid: stable, ' +
+    'dashed: unstable. Marks: named points of the branches'},
+  {plot: 'amplitude', shape: 'wide tall', title: 'Largest deflection', unit: 'µm', text: 'distance of the rotor from its place at rest in one period'},
+  {plot: 'multiplier', shape: 'wide', title: 'Largest multiplier', text: 'by which a small disturbance grows in one period; stable up to 1'},
+];
+
+const kinds = {bench, rotor, whirl, loop, bifurcation, branches};
 
 // Makes the table that says what each figure of a set of maps means.
 const figuresOf = ({figures}) => [{heading: 'Figures'}, {columns: ['name', 'unit here', 'meaning'].map((text) => ({text})),

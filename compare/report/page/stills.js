@@ -1,6 +1,6 @@
 // Figures that no clock moves: of a bench, maps of a sweep or of a linear analysis, the free rotor, the closed loop of
-// magnetic bearings, a bifurcation diagram. Each is drawn when it comes near the screen. On pages of their own, and beside the comparison in the report.
-import {bifurcationFigure} from './bifurcation.js';
+// magnetic bearings, a bifurcation diagram, branches of periodic rubs. Each is drawn when it comes near the screen. On pages of their own, and beside the comparison in the report.
+import {bifurcationFigure, branchesFigure} from './bifurcation.js';
 import {loopFigure} from './loop.js';
 import {mapsOf} from './maps.js';
 import {data, inTurn, isPrinting, show, whenNear} from './page.js';
@@ -11,6 +11,7 @@ import {rotorFigure} from './rotor.js';
 const figures = {
   loop: (plot) => loopFigure(data.loops[plot.dataset.index], plot.dataset.plot),
   bifurcation: () => bifurcationFigure(data.bifurcation),
+  branches: (plot) => branchesFigure(data.branches, plot.dataset.plot),
   bench: (plot) => precision(benchOf(data.benches[plot.dataset.index]), plot.dataset.plot),
   rotor: (plot) => rotorFigure(data.rotor, plot.dataset.plot, plot.clientWidth, plot.dataset.index),
 };
