@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/algorithm/string/split.hpp>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -15,11 +13,15 @@
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
+#include "compare/commands/value_range.h"
 #include "compare/modes/periodic_rubs.h"
 #include "compare/modes/result.h"
 #include "compare/modes/rotor_analysis.h"
+#include "compare/modes/rub_branches.h"
+#include "compare/modes/rub_branches_text.h"
 #include "compare/modes/rub_key_map.h"
 #include "compare/modes/rub_map_text.h"
+#include "compare/report/branches_page.h"
 #include "compare/report/linear_maps.h"
 #include "compare/report/modes_page.h"
 #include "compare/result/result.h"
@@ -47,42 +49,9 @@ struct ModesArguments : CommonOptions {
   std::string across, up;                 // KEY=FROM:TO:COUNT; empty if not given
 };
 
-// ---------------------------------------------------------------- values as FROM:TO:COUNT
-std::vector<std::string> parts_of(const std::string& range) {
-  std::vector<std::string> parts;
-  boost::split(parts, range, [](char c) { return c == ':'; });
-  return parts;
-}
-
-[[noreturn]] void refuse_range(const char* option, const std::string& text,
-                               const std::string& why) {
-  throw UsageError("{} {}: {}; expected FROM:TO:COUNT", option, text, why);
-}
-
-// `count` >= 2 evenly spaced values, including both ends.
-std::vector<double> even_values(double from, double to, int count) {
-  std::vector<double> values;
-  for (int k = 0; k < count; ++k) {
-    values.push_back(k + 1 == count ? to : from + (to - from) * k / (count - 1));
-  }
-  return values;
-}
-
-// SI. 2 to 1,000 ascending values, >= 0.
-std::vector<double> range_values(const char* option, const std::string& text,
-                                 const scene::Quantity& quantity) {
-  const std::vector<std::string> parts = parts_of(text);
-  if (parts.size() != 3) refuse_range(option, text, "it needs three parts");
-  const double from = quantity_of(option, parts[0], quantity);
-  const double to = quantity_of(option, parts[1], quantity);
-  const char* const end = parts[2].data() + parts[2].size();
-  int count = 0;
-  const auto read = std::from_chars(parts[2].data(), end, count);
-  if (read.ec != std::errc() || read.ptr != end || count < 2 || count > 1000)
-    refuse_range(option, text, "COUNT must be a whole number from 2 to 1000");
-  if (!(from >= 0.0) || !(to > from))
-    refuse_range(option, text, "FROM must be 0 or more, and TO above FROM");
-  return even_values(from, to, count);
+// True if the periodic rubs are continued over a key.
+bool has_branches(const ModesArguments& options) {
+  return options.periodic && !options.across.empty();
 }
 
 std::vector<double> given_range(const char* option, const std::string& text,
@@ -113,9 +82,10 @@ void note_speeds(const ModesArguments& options) {
 std::filesystem::path page_file(const ModesArguments& options) {
   const std::filesystem::path path(options.output);
   if (path.extension() == ".html") return path;
-  const char* name = options.rub_map        ? "rub_map.html"
-                     : options.feedback_map ? "feedback_map.html"
-                                            : "modes.html";
+  const char* name = options.rub_map         ? "rub_map.html"
+                     : options.feedback_map  ? "feedback_map.html"
+                     : has_branches(options) ? "rub_branches.html"
+                                             : "modes.html";
   return path / name;
 }
 
@@ -193,6 +163,31 @@ RubKeyMap rub_map_of(const ModesArguments& options, const scene::Scene& scene,
       scene, [&] { return rub::rub_map(rub::rub_system(scene), speeds, frictions, progress); });
 }
 
+// rotorub modes --periodic --across
+int show_branches(const ModesArguments& options) {
+  const MapAxis across = axis_of("--across", options.across, {});
+  std::optional<MapAxis> up;
+  if (!options.up.empty()) up = axis_of("--up", options.up, {});
+  if (up && up->key == across.key)
+    throw UsageError("--periodic: " + up->key +
+                     " is the key of --across and of --up; give two different keys");
+  const scene::Scene scene = read_scene(options.scene, options);
+  ProgressBar bar(options.quiet || options.json);
+  BranchOptions settings;
+  settings.interrupt = &interrupted();
+  settings.progress = [&](double share) { bar.show(share, "periodic rubs"); };
+  const RubBranches all =
+      rub_branches(scene::Variants(options.scene, overrides_of(options)), across, up, settings);
+  bar.clear();
+  if (interrupted()) throw Interrupted();
+  result::Section found = rub_branches_result(scene::printable(scene.name), all);
+  if (options.output.empty()) return finish(found, options);
+  const std::filesystem::path page = page_file(options);
+  std::filesystem::path table = page;
+  write_whole(table.replace_extension(".csv"), rub_branches_csv(all));
+  return finish_with_page(std::move(found), options, [&] { return branches_page(scene, all); });
+}
+
 // rotorub modes --feedback-map: by default spin speeds from half to one and a half times the
 // scene's, and k from 0 to 10 sqrt(mass stiffness) of the ring.
 int show_feedback(const ModesArguments& options) {
@@ -249,7 +244,12 @@ int modes(const ModesArguments& options) {
         "--speeds belongs to --rub-map or --feedback-map; give one of them, or --speed for a "
         "single speed");
   }
+  if (!options.up.empty() && !options.rub_map && !has_branches(options))
+    throw UsageError("--up belongs to --rub-map, or to --periodic with --across");
+  if (!options.across.empty() && !options.rub_map && !options.periodic)
+    throw UsageError("--across belongs to --rub-map or --periodic; give one of them");
   if (!options.quiet) note_speeds(options);
+  if (has_branches(options)) return show_branches(options);
   if (options.state_space) return show_state_space(options);
   if (options.feedback_map) return show_feedback(options);
   std::vector<double> speeds;
@@ -291,7 +291,8 @@ Command add_modes_command(CLI::App& program) {
   const Option page = add_value(
       app, "-o,--output", options->output, "DIR|FILE.html",
       "Write a page with Campbell diagram and mode shapes, or the page of a map: to a file that "
-      "ends in .html, or into a folder as modes.html, rub_map.html or feedback_map.html");
+      "ends in .html, or into a folder as modes.html, rub_map.html, feedback_map.html or "
+      "rub_branches.html, with the branches as a table beside it (.csv)");
   add_value(app, "--up-to", options->up_to, "SPEED",
             "Highest spin speed of the Campbell diagram (default: chosen from the critical speeds)")
       .needs(page);
@@ -327,12 +328,11 @@ Command add_modes_command(CLI::App& program) {
       .needs(map);
   add_value(app, "--across", options->across, "KEY=FROM:TO:COUNT",
             "Key on the horizontal axis of the rub map instead of the spin speed, e.g. "
-            "contact.clearance=0.2mm:1mm:40")
-      .needs(map);
+            "contact.clearance=0.2mm:1mm:40; with --periodic: key over which the periodic rubs are "
+            "followed, stable and unstable, from those to which runs at COUNT values settle");
   add_value(app, "--up", options->up, "KEY=FROM:TO:COUNT",
             "Key on the vertical axis of the rub map instead of the friction, e.g. "
-            "stator.stiffness=1e4:1e6:20")
-      .needs(map);
+            "stator.stiffness=1e4:1e6:20; with --periodic: key with a diagram for each value");
   add_units_option(app, *options);
   add_common_options(app, *options);
   return {&app, [options] {

@@ -1,5 +1,7 @@
 #include "compare/modes/periodic_rubs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -118,7 +120,25 @@ bool are_alike(const PeriodicRub& a, const PeriodicRub& b) {
          near(f.largest_force, g.largest_force, kSampled);
 }
 
-PeriodicRub described(const Model& m, periodic::SettledMotion settled) {
+// In words, what a run does at its end without a period, from its figures there; empty if it rests.
+std::string ending_of(const Model& m, const periodic::SettledMotion& settled) {
+  constexpr int kPeriods = 16;
+  if (!settled.last) return "";
+  periodic::SettledMotion end;
+  end.motion.start = *settled.last;
+  const double loads = periodic::forcing_of(m).period;
+  const double turn = 2.0 * std::numbers::pi / std::max(std::abs(m.speed), 1.0);
+  end.motion.period = kPeriods * (loads > 0.0 ? loads : turn);
+  end.order = kPeriods;
+  const PeriodicRub rub = periodic_rub(m, std::move(end));
+  const periodic::ContactFigures& f = rub.figures[rub.contact];
+  return fmt::format("; at its end: {}, whirl {:.4g} rad/s, mean force {:.4g} N", rub.kind, f.whirl,
+                     f.mean_force);
+}
+
+}  // namespace
+
+PeriodicRub periodic_rub(const Model& m, periodic::SettledMotion settled) {
   PeriodicRub rub;
   rub.figures = periodic::period_figures(m, settled.motion).contacts;
   rub.spin = spin_speed(m, settled.motion.start.v.data());
@@ -129,8 +149,6 @@ PeriodicRub described(const Model& m, periodic::SettledMotion settled) {
   rub.kind = kind_of(rub);
   return rub;
 }
-
-}  // namespace
 
 double PeriodicRub::largest_multiplier() const {
   const auto& all = settled.motion.multipliers;
@@ -155,10 +173,10 @@ PeriodicRubs lasting_rubs_by_shooting(const scene::Scene& scene, const ShootingO
     for (const Start& start : starts) {
       periodic::SettledMotion settled = periodic::settled_motion(m, start.state, parameters);
       if (!settled.found()) {
-        all.without.push_back({start.name, settled.refusal});
+        all.without.push_back({start.name, settled.refusal + ending_of(m, settled)});
         continue;
       }
-      PeriodicRub rub = described(m, std::move(settled));
+      PeriodicRub rub = periodic_rub(m, std::move(settled));
       const auto same = std::ranges::find_if(
           all.rubs, [&](const PeriodicRub& other) { return are_alike(rub, other); });
       if (same == all.rubs.end()) {

@@ -32,6 +32,9 @@ struct PeriodicRub {
   double largest_multiplier() const;              // its absolute value
 };
 
+// The rub of a motion, with kind, contact and figures; without starts.
+PeriodicRub periodic_rub(const Model& model, periodic::SettledMotion settled);
+
 // A start whose run settles to no periodic motion.
 struct UnsettledStart {
   std::string start, why;

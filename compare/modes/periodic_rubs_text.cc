@@ -31,6 +31,7 @@ json figures_json(const ContactFigures& f, const std::string& name) {
 constexpr double kAngleRoundOff = 1e-6;  // rad, of a whirl in one period
 
 std::string kind_text(const PeriodicRub& rub) {
+  if (rub.settled.motion.frame != 0.0) return rub.kind + ", seen in the frame of its loads";
   if (rub.settled.order < 2) return rub.kind;
   return fmt::format("{}, sub-harmonic 1/{}", rub.kind, rub.settled.order);
 }
@@ -72,6 +73,8 @@ result::Table rubs_table(const PeriodicRubs& all) {
       [&](auto& r) { return Item{main(r).stuck_share}; });
   add({.key = "order", .seen = result::kJson},
       [](auto& r) { return Item{r.settled.order > 0 ? json(r.settled.order) : json(nullptr)}; });
+  add({.key = "frame", .seen = result::kJson},
+      [](auto& r) { return Item{r.settled.motion.frame}; });
   add({.key = "multipliers", .seen = result::kJson}, [](auto& r) {
     json pairs = json::array();
     for (const std::complex<double>& m : r.settled.motion.multipliers)

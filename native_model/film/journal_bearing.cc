@@ -98,21 +98,49 @@ FilmPoint point_of(const JournalBearing& b, const FilmForces& f, double e, doubl
   return point;
 }
 
-// The point at this speed between two of the eccentricities: Newton's method for log(speed).
-FilmPoint point_at(const JournalBearing& b, double speed, double e) {
+struct FilmAt {
+  double eccentricity;
+  FilmForces forces;
+};
+
+// The film that carries the load at this speed, from the nearby eccentricity e: Newton's method for
+// log(speed). A finite film takes about 25 ms, and the scenes of a study often share their
+// bearings, so the latest are kept. It can be used from any thread.
+FilmAt film_at(const JournalBearing& b, double speed, double e) {
   constexpr double kClose = 1e-12;
   constexpr int kSteps = 20;
+  constexpr std::size_t kKept = 256;
   const double ratio = b.length / b.diameter;
+  const std::array<double, 6> key{b.diameter, b.length, b.clearance, b.viscosity, b.load, speed};
+  static std::map<std::array<double, 6>, FilmAt> known;  // of finite films
+  static std::mutex mutex;
+  const bool keeps = b.theory == FilmTheory::kFinite;
+  if (keeps) {
+    const std::lock_guard lock(mutex);
+    const auto found = known.find(key);
+    if (found != known.end()) return found->second;
+  }
   FilmForces f = film_forces(b.theory, ratio, e);
   for (int step = 0; step < kSteps; ++step) {
     const double square = f.r * f.r + f.t * f.t;
     const double rate = -(f.r * f.slope_r + f.t * f.slope_t) / square;  // d log(speed) / de
-    const double change = std::log(std::abs(speed) / speed_of(b, f)) / rate;
+    const double change = std::log(speed / speed_of(b, f)) / rate;
     e = std::clamp(e + change, 0.5 * kLeast, 0.5 * (1.0 + kMost));
     f = film_forces(b.theory, ratio, e);
     if (std::abs(change) < kClose) break;
   }
-  FilmPoint point = point_of(b, f, e, speed > 0.0 ? 1.0 : -1.0);
+  if (keeps) {
+    const std::lock_guard lock(mutex);
+    if (known.size() >= kKept) known.clear();
+    known.insert({key, {e, f}});
+  }
+  return {e, f};
+}
+
+// The point at this speed between two of the eccentricities, of which e is one.
+FilmPoint point_at(const JournalBearing& b, double speed, double e) {
+  const FilmAt film = film_at(b, std::abs(speed), e);
+  FilmPoint point = point_of(b, film.forces, film.eccentricity, speed > 0.0 ? 1.0 : -1.0);
   point.speed = speed;
   return point;
 }

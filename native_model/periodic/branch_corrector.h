@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -20,10 +21,19 @@ struct Tangent {
   }
 };
 
+// The equations of Newton's method at a point, without the last one.
+struct BranchEquations {
+  ReturnDerivative d;
+  Eigen::MatrixXd matrix;  // columns: tangent space, ln T (autonomous), p; the last row is empty
+  Eigen::VectorXd sizes;   // of all entries, in which d and the matrix are expressed
+  Eigen::MatrixXd basis;   // B in the sizes of the branch
+};
+
 struct CorrectedPoint {
   BranchPoint point;
   Tangent tangent;     // of length 1
   std::string events;  // letters of the events of one period, an accumulation counts as one
+  std::shared_ptr<const BranchEquations> equations;  // at the point
 };
 
 class BranchCorrector {
@@ -32,17 +42,28 @@ class BranchCorrector {
   BranchCorrector(const std::function<Model(double)>& model_at, double parameter,
                   const PeriodicMotion& start, const ContinuationParameters& parameters);
 
-  // The start as a point, with the tangent that leads in the direction of the parameters.
-  std::optional<CorrectedPoint> first() const;
-  // The point at the arclength `step` from another; empty if Newton's method does not converge.
+  // The start as a point, with the tangent that leads to larger (direction > 0) or smaller p.
+  std::optional<CorrectedPoint> first(double direction) const;
+  // The point at the arclength `step` from another; empty if Newton's method does not converge
+  // within the range of the parameter.
   std::optional<CorrectedPoint> next(const CorrectedPoint& from, double step) const;
+  // The parameter at the arclength `step` along the tangent is in its range.
+  bool stays_in_range(const CorrectedPoint& from, double step) const;
+  // True if the motion there has other events.
+  bool events_change(const CorrectedPoint& from, double step) const;
 
  private:
-  struct Linear;
-  Linear linear_at(const BranchPoint& at, const Return& point, const ReturnMap& map) const;
+  std::shared_ptr<const BranchEquations> equations_at(const BranchPoint& at, const Return& point,
+                                                      const ReturnMap& map) const;
   void place(const Model& model, BranchPoint& at) const;
+  ReturnMap map_of(const Model& model) const;
+  BranchPoint predicted(const CorrectedPoint& from, double step) const;
+  bool is_in_range(double parameter) const;
+  // near: equations of a point nearby, which serve while they make the residual fall fast; or null.
   std::optional<CorrectedPoint> correct(BranchPoint at, const Tangent& along,
-                                        const BranchPoint& predicted) const;
+                                        std::shared_ptr<const BranchEquations> near) const;
+  Eigen::RowVectorXd row_of(const BranchEquations& equations, const Tangent& along) const;
+  Tangent tangent_of(const BranchEquations& equations, const Eigen::VectorXd& solution) const;
   Eigen::VectorXd essential(const State& state) const;
 
   const std::function<Model(double)>* model_at_;
@@ -51,7 +72,7 @@ class BranchCorrector {
   EssentialState entries_;
   Eigen::VectorXd sizes_;  // of the essential entries
   BranchPoint start_;
-  bool autonomous_ = false;
+  bool autonomous_ = false, turning_ = false;
   int periods_ = 1;     // n of the loads in one period
   double phase_ = 0.0;  // time of the start in periods, under loads
 };

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "native_model/periodic/branch_corrector.h"
+#include "native_model/periodic/guesses.h"
 
 namespace rotorub::periodic {
 namespace {
@@ -15,6 +18,11 @@ constexpr double kRefined = 1e-11;      // of the arclength between two points
 constexpr double kZero = 1e-11;         // of a test function
 constexpr double kGrazingWidth = 1e-6;  // of the arclength between two points
 constexpr double kReal = 1e-9;          // relative; smaller imaginary parts count as 0
+
+// Of Newton's method with equations from nearby.
+constexpr int kFewCorrections = 7, kManyCorrections = 12;
+constexpr double kOfLastStep = 0.999;  // of the distance to the end of the range
+constexpr double kBeyond = 0.05;  // of the first step, where the events of the next motion are seen
 
 constexpr double kOnCircle = 1e-7;  // multipliers of undamped motions stay on the circle
 
@@ -112,6 +120,40 @@ void add_special_points(const BranchCorrector& corrector, const CorrectedPoint& 
   }
 }
 
+// Begins the period of `now` at its best instant. False if this leads to no other point.
+bool restart(const std::function<Model(double)>& model_at, const ContinuationParameters& parameters,
+             std::unique_ptr<BranchCorrector>& corrector, CorrectedPoint& now) {
+  const double parameter = now.point.parameter;
+  const PeriodicMotion& motion = now.point.motion;
+  const Model model = model_at(parameter);
+  const FoundGuess begun = at_best_instant(
+      model, {motion.start, motion.period, motion.turns, motion.held, motion.frame != 0.0},
+      parameters.search.event);
+  if (begun.status != Status::kOk) return false;
+  const PeriodicMotion same = find_periodic_motion(model, begun.guess, parameters.search);
+  if (!same.found()) return false;
+  auto other = std::make_unique<BranchCorrector>(model_at, parameter, same, parameters);
+  auto at = other->first(now.tangent.parameter);
+  if (!at) return false;
+  corrector = std::move(other);
+  now = std::move(*at);
+  return true;
+}
+
+// The point next to the end of the parameter's range, which the next step would pass.
+void add_last_point(const BranchCorrector& corrector, const CorrectedPoint& now,
+                    const ContinuationParameters& parameters, Branch& branch) {
+  branch.end = "the parameter leaves its range";
+  const double rate = parameters.scale * now.tangent.parameter;
+  const double end = rate > 0.0 ? parameters.highest : parameters.lowest;
+  const double step = kOfLastStep * (end - now.point.parameter) / rate;
+  if (step < parameters.least_step) return;
+  const auto last = corrector.next(now, step);
+  if (!last) return;
+  add_special_points(corrector, now, *last, step, branch.points);
+  branch.points.push_back(last->point);
+}
+
 }  // namespace
 
 const char* to_string(PointKind kind) {
@@ -135,33 +177,45 @@ const char* to_string(PointKind kind) {
 Branch continue_branch(const std::function<Model(double)>& model_at, double parameter,
                        const PeriodicMotion& start, const ContinuationParameters& parameters) {
   Branch branch;
-  const BranchCorrector corrector(model_at, parameter, start, parameters);
-  auto now = corrector.first();
+  auto corrector = std::make_unique<BranchCorrector>(model_at, parameter, start, parameters);
+  auto now = corrector->first(parameters.direction);
   if (!now) {
     branch.end = "the start is not a periodic motion, or has no tangent";
     return branch;
   }
   branch.points.push_back(now->point);
-  const auto inside = [&](double p) { return p >= parameters.lowest && p <= parameters.highest; };
   double step = parameters.first_step;
+  bool can_restart = false;  // from another instant of the period
   while (static_cast<int>(branch.points.size()) < parameters.most_points) {
-    const auto next = corrector.next(*now, step);
+    const auto next = corrector->next(*now, step);
     if (!next) {
+      if (step <= parameters.first_step && !corrector->stays_in_range(*now, step)) {
+        add_last_point(*corrector, *now, parameters, branch);
+        return branch;
+      }
       step *= 0.5;
       if (step >= parameters.least_step) continue;
+      if (can_restart && restart(model_at, parameters, corrector, *now)) {
+        can_restart = false;
+        step = parameters.first_step;
+        continue;
+      }
       branch.end = "Newton's method does not converge beyond the last point";
+      const double beyond = kBeyond * parameters.first_step;
+      if (corrector->stays_in_range(*now, beyond) && corrector->events_change(*now, beyond)) {
+        branch.end = "a contact grazes";
+        if (branch.points.back().kind == PointKind::kRegular)
+          branch.points.back().kind = PointKind::kGrazing;
+      }
       return branch;
     }
-    if (!inside(next->point.parameter)) {
-      branch.end = "the parameter leaves its range";
-      return branch;
-    }
-    add_special_points(corrector, *now, *next, step, branch.points);
+    add_special_points(*corrector, *now, *next, step, branch.points);
     branch.points.push_back(next->point);
+    can_restart = true;
     const int corrections = next->point.motion.iterations;
     now = next;
-    if (corrections <= 3) step = std::min(1.5 * step, parameters.longest_step);
-    if (corrections >= 6) step *= 0.6;
+    if (corrections <= kFewCorrections) step = std::min(1.5 * step, parameters.longest_step);
+    if (corrections >= kManyCorrections) step *= 0.6;
   }
   branch.end = "the largest number of points is reached";
   return branch;

@@ -13,7 +13,9 @@
 //   torus            a complex pair crosses the unit circle (Neimark and Sacker)
 //   grazing          the sequence of events changes: an impact more or less, sticking or not
 //
-// The first four are located by the secant method along the branch, grazing by bisection.
+// The first four are located by the secant method along the branch, grazing by bisection. Where the
+// branch cannot be followed further, a period begins at another instant, far from all events; if
+// this does not help and the events change beyond the last point, this point grazes.
 #pragma once
 
 #include <functional>

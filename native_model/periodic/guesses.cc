@@ -56,7 +56,7 @@ double whirl_speed(const Model& m, const State& at) {
 // it passes the plane through that state, across its velocity, in the same sense. The first of the
 // passes that come about as close as the closest one counts. 0 if there is none.
 double return_time(const Model& m, const State& at, double longest,
-                   const EventParameters& parameters) {
+                   const EventParameters& parameters, const TurningFrame& frame) {
   const MotionRecord motion = record_motion(m, at, at.t + longest, parameters);
   if (motion.status != Status::kOk) return 0.0;
   std::vector<const double*> states{motion.start.data(), motion.end.data()};
@@ -66,13 +66,20 @@ double return_time(const Model& m, const State& at, double longest,
   const auto scaled = [&](const Eigen::VectorXd& y) {
     return essential.take(y.cwiseQuotient(sizes).eval().data());
   };
-  const auto away = [&](const std::vector<double>& y) {
-    const Eigen::Map<const Eigen::VectorXd> there(y.data(), sizes.size()),
-        here(motion.start.data(), sizes.size());
-    return scaled(there - here);
+  const auto seen = [&](double t, const Eigen::VectorXd& y) {
+    return frame.seen(y, t - motion.begin_time);
+  };
+  const auto vector = [](const std::vector<double>& y) -> Eigen::VectorXd {
+    return Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size()));
+  };
+  const auto away = [&](double t, const std::vector<double>& y) {
+    return scaled(seen(t, vector(y)) - vector(motion.start));
   };
   FlowDerivative flow(m, sizes, parameters);
-  const Eigen::VectorXd slope = scaled(flow.slope(motion.begin_time, motion.start, motion.first));
+  const auto rate = [&](double t, const std::vector<double>& y, const ContactStates& contacts) {
+    return scaled(frame.slope_seen(seen(t, vector(y)), seen(t, flow.slope(t, y, contacts))));
+  };
+  const Eigen::VectorXd slope = rate(motion.begin_time, motion.start, motion.first);
   std::vector<std::pair<double, double>> passes;  // time, distance
   double closest = kInfinity;
   for (std::size_t i = 0; i < motion.stretches.size(); ++i) {
@@ -81,11 +88,11 @@ double return_time(const Model& m, const State& at, double longest,
     const std::vector<double>& y_end = s.jump    ? s.jump->before
                                        : is_last ? motion.end
                                                  : motion.stretches[i + 1].y;
-    const Eigen::VectorXd begin = away(s.y), end = away(y_end);
+    const Eigen::VectorXd begin = away(s.t, s.y), end = away(s.end(), y_end);
     if (!(slope.dot(begin) < 0.0 && slope.dot(end) >= 0.0)) continue;
     // Hermite's cubic within the stretch.
-    const Eigen::VectorXd rate_begin = s.length * scaled(flow.slope(s.t, s.y, s.states)),
-                          rate_end = s.length * scaled(flow.slope(s.end(), y_end, s.states));
+    const Eigen::VectorXd rate_begin = s.length * rate(s.t, s.y, s.states),
+                          rate_end = s.length * rate(s.end(), y_end, s.states);
     const auto within = [&](double x) -> Eigen::VectorXd {
       const double z = 1.0 - x;
       return z * z * (1.0 + 2.0 * x) * begin + x * x * (1.0 + 2.0 * z) * end +
@@ -136,17 +143,29 @@ double best_instant(const MotionRecord& motion) {
 void find_period(const Model& m, int periods, double longest, const EventParameters& parameters,
                  Guess& guess) {
   const Forcing forcing = forcing_of(m);
-  if (forcing.period > 0.0) {
+  if (guess.turning) {
+    guess.period = return_time(m, guess.start, longest, parameters, TurningFrame(m));
+  } else if (forcing.period > 0.0) {
     guess.period = periods * forcing.period;
   } else if (forcing.turns) {
     guess.turns = spin_speed(m, guess.start.v.data()) < 0.0 ? -periods : periods;
     guess.period = guess.turns * kTurn / spin_speed(m, guess.start.v.data());
   } else {
-    guess.period = periods * return_time(m, guess.start, longest, parameters);
+    guess.period = periods * return_time(m, guess.start, longest, parameters, {});
   }
 }
 
 FoundGuess failed(Status status, const std::string& message) { return {status, message, {}}; }
+
+FoundGuess guess_of(const Model& m, Guess guess, double longest, int periods,
+                    const EventParameters& parameters) {
+  find_period(m, periods, longest, parameters, guess);
+  if (!(guess.period > 0.0) || !std::isfinite(guess.period)) {
+    return failed(Status::kNoSolution,
+                  "the run does not come back to a state it had, so its period is unknown");
+  }
+  return at_best_instant(m, guess, parameters);
+}
 
 }  // namespace
 
@@ -173,17 +192,22 @@ FoundGuess guess_at_start(const Model& m, int periods, const EventParameters& pa
 
 FoundGuess guess_from_state(const Model& m, const State& state, double longest, int periods,
                             const EventParameters& parameters) {
-  FoundGuess found;
-  found.guess.start = state;
-  find_period(m, periods, longest, parameters, found.guess);
-  if (!(found.guess.period > 0.0) || !std::isfinite(found.guess.period)) {
-    return failed(Status::kNoSolution,
-                  "the run does not come back to a state it had, so its period is unknown");
-  }
-  const MotionRecord motion = record_motion(m, state, state.t + found.guess.period, parameters);
+  return guess_of(m, Guess{.start = state, .held = {}}, longest, periods, parameters);
+}
+
+FoundGuess guess_in_turning_frame(const Model& m, const State& state, double longest,
+                                  const EventParameters& parameters) {
+  return guess_of(m, Guess{.start = state, .held = {}, .turning = true}, longest, 1, parameters);
+}
+
+FoundGuess at_best_instant(const Model& m, const Guess& guess, const EventParameters& parameters) {
+  const State& start = guess.start;
+  const MotionRecord motion = record_motion(m, start, start.t + guess.period, parameters);
   if (motion.status != Status::kOk) return failed(motion.status, motion.message);
-  const Arrival at = advance(m, state, best_instant(motion), parameters);
+  const Arrival at = advance(m, start, best_instant(motion), parameters);
   if (at.status != Status::kOk) return failed(at.status, at.message);
+  FoundGuess found;
+  found.guess = guess;
   found.guess.start = at.state;
   found.guess.held = at.held;
   return found;

@@ -32,4 +32,12 @@ FoundGuess guess_from_run(const Model& model, double duration, int periods = 1,
 FoundGuess guess_from_state(const Model& model, const State& state, double longest, int periods = 1,
                             const EventParameters& parameters = {});
 
+// The same for a motion that repeats in the frame that turns with the loads.
+FoundGuess guess_in_turning_frame(const Model& model, const State& state, double longest,
+                                  const EventParameters& parameters = {});
+
+// The same motion from the best instant of its period.
+FoundGuess at_best_instant(const Model& model, const Guess& guess,
+                           const EventParameters& parameters = {});
+
 }  // namespace rotorub::periodic

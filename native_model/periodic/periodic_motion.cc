@@ -89,12 +89,13 @@ PeriodicMotion find_periodic_motion(const Model& model, const Guess& guess,
   motion.period = guess.period;
   motion.turns = guess.turns;
   motion.held = guess.held;
-  const ReturnMap map(model, parameters.event);
+  const ReturnMap map(model, parameters.event, guess.turning);
+  motion.frame = map.frame().speed();
   if (!map.forcing().refusal.empty()) {
     end_with(motion, SearchStatus::kRefused, map.forcing().refusal);
     return motion;
   }
-  const bool autonomous = map.forcing().period == 0.0;
+  const bool autonomous = map.is_autonomous();
   map.project(motion.start, motion.held);
   Return point = map.at(motion.start, motion.period, motion.turns);
   if (point.status != Status::kOk) {
@@ -125,7 +126,8 @@ PeriodicMotion find_periodic_motion(const Model& model, const Guess& guess,
       const int halvings = fresh ? parameters.most_halvings : 0;
       double share = 1.0;
       for (int k = 0; k <= halvings; ++k, share *= 0.5) {
-        const State start = map.moved(motion.start, point, d.basis, share * step.c, motion.held);
+        const State start =
+            map.moved(motion.start, point.sizes, d.basis, share * step.c, motion.held);
         const double period = motion.period * (1.0 + share * step.of_period);
         Return next = map.at(start, period, motion.turns);
         if (!(next.residual < (fresh ? 1.0 : kGoodFall) * point.residual)) continue;

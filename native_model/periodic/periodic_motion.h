@@ -40,6 +40,8 @@ struct Guess {
   double period = 0.0;  // s
   int turns = 0;        // of the spin angle in a period, if it acts (Forcing::turns)
   HeldContacts held{};  // rigid contacts that last at the start
+  // The motion repeats in the frame that turns with the loads (turning_frame.h).
+  bool turning = false;
 };
 
 struct PeriodicMotion {
@@ -49,6 +51,7 @@ struct PeriodicMotion {
   double period = 0.0;  // s
   int turns = 0;
   HeldContacts held{};
+  double frame = 0.0;  // rad/s, speed of the frame in which it repeats; 0: at rest
   double residual = 0.0;
   int iterations = 0;
   // By falling size. Sliding and sticking in the period make some of them 0 up to round-off.

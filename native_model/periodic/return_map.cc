@@ -15,8 +15,12 @@ Eigen::VectorXd as_vector(const std::vector<double>& y) {
 
 }  // namespace
 
-ReturnMap::ReturnMap(const Model& model, const EventParameters& parameters)
-    : model_(&model), parameters_(parameters), forcing_(forcing_of(model)), essential_(model) {}
+ReturnMap::ReturnMap(const Model& model, const EventParameters& parameters, bool turning)
+    : model_(&model),
+      parameters_(parameters),
+      forcing_(forcing_of(model)),
+      essential_(model),
+      frame_(turning ? TurningFrame(model) : TurningFrame()) {}
 
 Eigen::VectorXd ReturnMap::scaled(const Eigen::VectorXd& y, const Eigen::VectorXd& sizes) const {
   return essential_.take(y.cwiseQuotient(sizes).eval().data());
@@ -32,7 +36,8 @@ Return ReturnMap::at(const State& start, double period, int turns) const {
   for (const Stretch& s : to.motion.stretches) states.push_back(s.y.data());
   to.sizes = EssentialState::sizes(*model_, states);
   if (to.status != Status::kOk) return to;
-  to.change = scaled(as_vector(to.motion.end) - as_vector(to.motion.start), to.sizes);
+  to.change =
+      scaled(frame_.seen(as_vector(to.motion.end), period) - as_vector(to.motion.start), to.sizes);
   if (const int at = essential_.spin_angle(); at != kAbsent) {
     to.change[at] -= 2.0 * std::numbers::pi * turns;
   }
@@ -63,22 +68,29 @@ ReturnDerivative ReturnMap::derivative(const Return& point, const HeldContacts& 
   w = flow.along(point.motion, w);
   d.grazes = flow.grazes();
   d.image.resize(n, w.cols());
-  for (Eigen::Index j = 0; j < w.cols(); ++j) d.image.col(j) = scaled(w.col(j), point.sizes);
   const MotionRecord& m = point.motion;
-  d.start_slope = scaled(flow.slope(m.begin_time, m.start, m.first), point.sizes);
-  d.end_slope = scaled(flow.slope(m.end_time, m.end, m.last), point.sizes);
+  const double period = m.end_time - m.begin_time;
+  for (Eigen::Index j = 0; j < w.cols(); ++j)
+    d.image.col(j) = scaled(frame_.seen(w.col(j), period), point.sizes);
+  const auto slope = [&](const std::vector<double>& y, const Eigen::VectorXd& rates, double after) {
+    return scaled(frame_.slope_seen(frame_.seen(as_vector(y), after), frame_.seen(rates, after)),
+                  point.sizes);
+  };
+  d.start_slope = slope(m.start, flow.slope(m.begin_time, m.start, m.first), 0.0);
+  d.end_slope = slope(m.end, flow.slope(m.end_time, m.end, m.last), period);
   return d;
 }
 
-State ReturnMap::moved(const State& from, const Return& point, const Eigen::MatrixXd& basis,
-                       const Eigen::VectorXd& c, const HeldContacts& held) const {
+State ReturnMap::moved(const State& from, const Eigen::VectorXd& sizes,
+                       const Eigen::MatrixXd& basis, const Eigen::VectorXd& c,
+                       const HeldContacts& held) const {
   const int nq = model_->nq();
   const Eigen::VectorXd step = basis * c;
   State to = from;
   for (Eigen::Index i = 0; i < step.size(); ++i) {
     const int at = essential_.entries()[static_cast<std::size_t>(i)];
     double& entry = at < nq ? to.q[at] : to.v[at - nq];
-    entry += point.sizes[at] * step[i];
+    entry += sizes[at] * step[i];
   }
   project(to, held);
   return to;

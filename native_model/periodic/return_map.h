@@ -14,6 +14,7 @@
 #include "native_model/periodic/flow_derivative.h"
 #include "native_model/periodic/forcing.h"
 #include "native_model/periodic/motion_record.h"
+#include "native_model/periodic/turning_frame.h"
 
 namespace rotorub::periodic {
 
@@ -39,21 +40,26 @@ struct ReturnDerivative {
 
 class ReturnMap {
  public:
-  // The model must outlive this object.
-  explicit ReturnMap(const Model& model, const EventParameters& parameters = {});
+  // The model must outlive this object. turning: the return is seen in the frame that turns with
+  // the loads.
+  explicit ReturnMap(const Model& model, const EventParameters& parameters = {},
+                     bool turning = false);
 
   const Model& model() const { return *model_; }
   const Forcing& forcing() const { return forcing_; }
   const EssentialState& essential() const { return essential_; }
+  const TurningFrame& frame() const { return frame_; }
+  // True if the period is unknown.
+  bool is_autonomous() const { return forcing_.period == 0.0 || frame_.turns(); }
 
   // The state `start` after `period` (s). turns: whole turns of the spin angle in the period, if it
   // is essential.
   Return at(const State& start, double period, int turns) const;
   ReturnDerivative derivative(const Return& point, const HeldContacts& held) const;
 
-  // Moves the state by c (k values) within the tangent space `basis` of `from`, and back onto the
-  // constraints of the held contacts.
-  State moved(const State& from, const Return& point, const Eigen::MatrixXd& basis,
+  // Moves the state by c (k values) within the tangent space `basis`, expressed in these sizes, and
+  // back onto the constraints of the held contacts.
+  State moved(const State& from, const Eigen::VectorXd& sizes, const Eigen::MatrixXd& basis,
               const Eigen::VectorXd& c, const HeldContacts& held) const;
   // Moves the state onto the constraints of the held contacts.
   void project(State& state, const HeldContacts& held) const;
@@ -65,6 +71,7 @@ class ReturnMap {
   EventParameters parameters_;
   Forcing forcing_;
   EssentialState essential_;
+  TurningFrame frame_;
 };
 
 }  // namespace rotorub::periodic

@@ -28,7 +28,9 @@ constexpr int kLeastDerivatives = 3;  // for which Newton's method begins
 class Check {
  public:
   Check(const ReturnMap& map, const SettlingParameters& parameters)
-      : map_(&map), parameters_(&parameters) {}
+      : map_(&map),
+        turning_(map.model(), parameters.search.event, true),
+        parameters_(&parameters) {}
 
   // True if it found the motion.
   bool at(const State& state, double longest) {
@@ -53,7 +55,8 @@ class Check {
     const auto first = std::ranges::find_if(candidates, [&](const Candidate& c) {
       return c.residual <= std::min(kNear, kAsClose * closest + kCertain);
     });
-    return first != candidates.end() && try_from(*first, autonomous);
+    if (first != candidates.end() && try_from(*first, autonomous)) return true;
+    return turning_.frame().turns() && !is_exhausted() && try_in_turning_frame(state, longest);
   }
 
   void count() { ++stretches_; }
@@ -72,6 +75,17 @@ class Check {
 
   std::int64_t most_stretches() const { return parameters_->most_stretches; }
 
+  bool try_in_turning_frame(const State& state, double longest) {
+    const FoundGuess begun =
+        guess_in_turning_frame(turning_.model(), state, longest, parameters_->search.event);
+    if (begun.status != Status::kOk) return false;
+    const Return back = turning_.at(begun.guess.start, begun.guess.period, 0);
+    const std::size_t stretches = back.motion.stretches.size();
+    stretches_ += 3 * static_cast<std::int64_t>(stretches);
+    nearest_ = std::min(nearest_, back.residual);
+    return back.residual <= kNear && try_from({0, begun.guess, back.residual, stretches}, true);
+  }
+
   bool try_from(const Candidate& c, bool autonomous) {
     const std::int64_t of_derivative =
         kStretchesOfDirection * static_cast<std::int64_t>(c.stretches) * map_->essential().size();
@@ -87,11 +101,13 @@ class Check {
     stretches_ += of_derivative * (motion.iterations + 1);
     if (!motion.found() || !motion.stable) return false;
     const int order = autonomous ? 0 : reduce(motion, c.periods);
+    const ReturnMap& map = c.guess.turning ? turning_ : *map_;
     const Return there =
-        map_->at(motion.start, kPeriodsRun * motion.period, kPeriodsRun * motion.turns);
+        map.at(motion.start, kPeriodsRun * motion.period, kPeriodsRun * motion.turns);
     if (!(there.residual <= kReturnError) || !(distance(c, motion, there) <= kFarthest)) {
       return false;
     }
+    if (c.guess.turning && is_at_rest_in(map.frame(), there)) return false;
     found_.order = order;
     found_.run_time = c.guess.start.t;
     found_.return_error = there.residual;
@@ -104,7 +120,7 @@ class Check {
     for (int n = 1; n < periods; ++n) {
       if (periods % n != 0) continue;
       const Guess guess{motion.start, motion.period * n / periods, motion.turns * n / periods,
-                        motion.held};
+                        motion.held, false};
       if (!(map_->at(guess.start, guess.period, guess.turns).residual <= kCertain)) continue;
       PeriodicMotion shorter = find_periodic_motion(map_->model(), guess, parameters_->search);
       if (!shorter.found() || !shorter.stable) continue;
@@ -112,6 +128,20 @@ class Check {
       return n;
     }
     return periods;
+  }
+
+  // True if nothing moves in the frame, so that every period is one of the motion.
+  bool is_at_rest_in(const TurningFrame& frame, const Return& there) const {
+    constexpr double kRests = 1e-6;  // relative to the sizes of the state
+    const auto vector = [](const std::vector<double>& y) -> Eigen::VectorXd {
+      return Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size()));
+    };
+    const Eigen::VectorXd start = vector(there.motion.start);
+    return std::ranges::all_of(there.motion.stretches, [&](const Stretch& s) {
+      const Eigen::VectorXd moved = (frame.seen(vector(s.y), s.t - there.motion.begin_time) - start)
+                                        .cwiseQuotient(there.sizes);
+      return map_->essential().take(moved.data()).cwiseAbs().maxCoeff() <= kRests;
+    });
   }
 
   // Between the run and the motion, relative to the sizes of the state.
@@ -123,6 +153,7 @@ class Check {
   }
 
   const ReturnMap* map_;
+  ReturnMap turning_;  // the same in the frame that turns with the loads
   const SettlingParameters* parameters_;
   SettledMotion found_;
   double nearest_ = kInfinity;
@@ -203,7 +234,9 @@ SettledMotion settled_motion(const Model& m, const State& start, const SettlingP
     why += ": " + check.why();
   }
   if (check.is_exhausted()) why += "; the search ended at its limit of effort";
-  return refused(why);
+  SettledMotion none = refused(why);
+  none.last = state_of(m, run);
+  return none;
 }
 
 }  // namespace rotorub::periodic

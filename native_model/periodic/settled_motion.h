@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "native_model/periodic/periodic_motion.h"
@@ -30,6 +31,7 @@ struct SettledMotion {
   int order = 0;
   double run_time = 0.0;      // s, at which the run was as near as needed
   double return_error = 0.0;  // of a run over three periods, relative to the sizes of the state
+  std::optional<State> last;  // of a run that moves on without a period that was found
   bool found() const { return refusal.empty(); }
 };
 

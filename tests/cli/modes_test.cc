@@ -50,6 +50,19 @@ TEST(CliModes, FindsPeriodicRubsIfAskedFor) {
   folder.refuses({"modes", ring, "--periodic", "--speed", "50 Hz"}, {"--speed", "--periodic"});
 }
 
+TEST(CliModesPage, ShowsBranchesOfPeriodicRubs) {
+  const Folder folder;
+  const std::string whip = shipped("bench_whip"), frictions = "contact.friction=0.15:0.2:2";
+  EXPECT_TRUE(contains(
+      folder.done({"modes", whip, "--periodic", "--across", frictions, "-o", "branches"}).out,
+      {"branch 1", "fold", "unstable", "rub_branches.html"}));
+  EXPECT_EQ(folder.files(), (Files{"branches/rub_branches.csv", "branches/rub_branches.html"}));
+  folder.refuses({"modes", whip, "--across", frictions}, {"--across", "--periodic"});
+  folder.refuses({"modes", whip, "--periodic", "--up", frictions}, {"--up", "--across"});
+  folder.refuses({"modes", whip, "--periodic", "--across", frictions, "--up", frictions},
+                 {"two different keys"});
+}
+
 TEST(CliModes, RefusesAutoWhereNoNumberDoes) {
   const Folder folder;
   folder.refuses({"modes", shipped("paper_passive"), "--set", "rotor.modes=auto", "--set",

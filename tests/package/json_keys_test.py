@@ -33,6 +33,7 @@ class JsonKeys(InAFolder):
         for scene in ("bench_whip", "paper_passive"):
             self.check(self.rotorub("modes", SCENES / f"{scene}.toml", "--json"), "modes")
         self.check(self.rotorub("modes", SCENES / "compliant_ring.toml", "--periodic", "--json"), "modes")
+        self.check(self.rotorub("modes", SCENES / "bench_whip.toml", "--periodic", "--across", "contact.friction=0.1:0.2:2", "--json"), "modes")
 
     def test_tune(self):
         self.check(self.rotorub("tune", SCENES / "bench_ring.toml", "--end", "2ms", "--steps", "20us", "--json"), "tune", "study")

@@ -52,6 +52,7 @@ TRIED = [
     f"modes {RING} --feedback-map --feedbacks 0:1000:2 --speeds 50Hz:51Hz:2 --output f --quiet",
     f"modes {RING} --state-space",
     f"modes {RING} --periodic --units mm",
+    f"modes {RING} --periodic --across contact.friction=0.1:0.2:2 -o branches -q",
     f"mjcf {RING} --mujoco 3.12 -o ring.xml --set contact.friction=0.2 --json",
     f"mjcf {RING} --output r.xml --quiet", f"mjcf {RING} -q",
     f"fmu {RING} --set contact.friction=0.2 --fmi 2.0 -o plant.fmu --json", f"fmu {RING} --quiet",

@@ -141,6 +141,18 @@ end = "1 s"
   await page.close();
 });
 
+test('the branches of periodic rubs have their fold on the page', async () => {
+  rotorub(['modes', scene('bench_whip'), '--periodic', '--across', 'contact.friction=0.15:0.2:2', '-o', 'branches', '-q']);
+  const page = await open(browser, 'branches/rub_branches.html');
+  for (const plot of ['mean_force', 'amplitude', 'multiplier']) {
+    const {traces} = await drawn(page, plot), fold = traces.find((t) => t.name === 'fold');
+    assert.ok(Math.abs(fold.x[0] - 0.15510962) < 1e-6, `${fold.x}`);
+    assert.ok(traces.filter((t) => t.mode === 'lines').length >= 2, 'a stable and an unstable part');
+  }
+  assert.deepEqual(page.said, []);
+  await page.close();
+});
+
 test('a click on a point of a sweep shows how to run it, and then leads to its run', nightly, async () => {
   fs.writeFileSync(path.join(folder, 'points.toml'), `scene = "${scene('bench_ring')}"
 [sample]

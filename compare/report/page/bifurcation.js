@@ -1,6 +1,6 @@
 // A bifurcation diagram as plotly takes it (compare/report/bifurcation_plot.h): places once a turn over the swept key, up
 // and down, and the largest Lyapunov exponent below them.
-import {axes, css, layout, legendAbove as legend, short} from './style.js';
+import {axes, css, decades, layout, legendAbove as legend, short} from './style.js';
 
 const nameOf = (key) => key.name + (key.unit ? ` / ${key.unit}` : '');
 const periodOf = ({period}) => (period === 0 ? 'no period up to 16 turns' : period === 1 ? 'a turn' : `${period} turns`);
@@ -25,4 +25,44 @@ export function bifurcationFigure({key, up, down}) {
       xaxis: axes({title: {text: nameOf(key), standoff: 6}, type: key.log ? 'log' : undefined, anchor: two ? 'y2' : 'y', zeroline: false}),
       yaxis: axes({title: {text: 'x / µm', standoff: 8}, automargin: false, domain: two ? [0.34, 1] : [0, 1], exponentformat: 'none', separatethousands: true}),
       ...(two ? {yaxis2: axes({title: {text: 'exponent / (1/s)', standoff: 8}, automargin: false, domain: [0, 0.26], zerolinecolor: css('--soft')})} : {})})};
+}
+
+// Branches of periodic rubs (`rub_branches` of compare/modes/rub_branches_text.h): stable parts solid, unstable ones dashed.
+const marks = {fold: 'triangle-left', branching: 'cross', 'period doubling': 'diamond', torus: 'circle-open', grazing: 'x'};
+const scales = {mean_force: 1, amplitude: 1e6, multiplier: 1};
+const titles = {mean_force: 'mean normal force / N', amplitude: 'deflection / µm', multiplier: 'largest multiplier'};
+
+// Parts of a branch that are stable or unstable throughout; a part begins where the last one ended.
+export function partsOf(points) {
+  const parts = [];
+  for (const point of points) {
+    const last = parts.at(-1);
+    if (last && last.stable === point.stable) last.points.push(point);
+    else parts.push({stable: point.stable, points: last ? [last.points.at(-1), point] : [point]});
+  }
+  return parts;
+}
+
+export function branchesFigure({across, up, branches}, figure) {
+  const values = up ? up.values : [null], scale = scales[figure];
+  const colorOf = ({up: value}) => css(`--mode-${values.indexOf(value) % 6 + 1}`);
+  const nameAt = ({up: value}) => up ? `${up.name} = ${short(value * up.per_si, 5)}${up.unit ? ` ${up.unit}` : ''}` : 'periodic rubs';
+  const x = (points) => points.map((p) => p.value * across.per_si), y = (points) => points.map((p) => p[figure] * scale);
+  const words = (points) => points.map((p) => `${p.point ? `${p.point}, ` : ''}${p.kind}, ${p.stable ? 'stable' : 'unstable'}`);
+  const hover = `%{text}<br>${across.name} = %{x:.5g}, ${titles[figure]} = %{y:.5g}<extra></extra>`;
+  const named = new Set();
+  const isNew = (name) => !named.has(name) && Boolean(named.add(name));
+  const lines = branches.flatMap((branch) => partsOf(branch.points).map(({stable, points}) => ({x: x(points), y: y(points), text: words(points),
+    type: 'scatter', mode: 'lines', name: nameAt(branch), legendgroup: nameAt(branch), showlegend: stable && isNew(nameAt(branch)), hovertemplate: hover,
+    line: {color: colorOf(branch), width: stable ? 2.4 : 1.4, dash: stable ? 'solid' : 'dash', simplify: false}})));
+  const special = branches.flatMap((branch) => Object.entries(marks).flatMap(([kind, symbol]) => {
+    const points = branch.points.filter(({point}) => point === kind);
+    return points.length ? [{x: x(points), y: y(points), text: words(points), type: 'scatter', mode: 'markers', name: kind, legendgroup: kind,
+      showlegend: isNew(kind), hovertemplate: hover, marker: {symbol, size: 9, color: colorOf(branch), line: {width: 2, color: colorOf(branch)}}}] : [];
+  }));
+  // Rolling presses thousands of times as hard as a rub.
+  const all = lines.flatMap((line) => line.y), isWide = Math.min(...all) > 0 && Math.max(...all) > 100 * Math.min(...all);
+  return {data: [...lines, ...special], layout: layout({hovermode: 'closest', showlegend: true, legend: legend(), margin: {l: 72, r: 24, t: 30, b: 48},
+    xaxis: axes({title: {text: nameOf(across), standoff: 6}, zeroline: false}),
+    yaxis: axes({title: {text: titles[figure], standoff: 8}, automargin: false, ...(isWide ? decades : {exponentformat: 'none', separatethousands: true})})})};
 }

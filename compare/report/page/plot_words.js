@@ -69,7 +69,14 @@ const bifurcation = ({bifurcation: shown}) => [{plot: 'bifurcation', shape: 'wid
 const convergence = () => [{plot: 'convergence', shape: 'wide', title: 'Convergence',
   text: 'the value of each evaluation, and the best so far of those that meet the constraints'}];
 
-const kinds = {bench, rotor, whirl, loop, bifurcation, convergence};
+const branches = () => [
+  {plot: 'mean_force', shape: 'wide tall', title: 'Branches of periodic rubs', unit: 'N', text: 'mean normal force of one period; solid: stable, ' +
+    'dashed: unstable. Marks: named points of the branches'},
+  {plot: 'amplitude', shape: 'wide tall', title: 'Largest deflection', unit: 'µm', text: 'distance of the rotor from its place at rest in one period'},
+  {plot: 'multiplier', shape: 'wide', title: 'Largest multiplier', text: 'by which a small disturbance grows in one period; stable up to 1'},
+];
+
+const kinds = {bench, rotor, whirl, loop, bifurcation, convergence, branches};
 
 // Makes the table that says what each figure of a set of maps means.
 const figuresOf = ({figures}) => [{heading: 'Figures'}, {class: 'cards-when-small', columns: ['name', 'unit here', 'meaning'].map((text) => ({text})),

@@ -1,6 +1,6 @@
 // Figures that no clock moves: of a bench, maps of a sweep or of a linear analysis, the free rotor, the closed loop of
-// magnetic bearings, a bifurcation diagram. Each is drawn when it comes near the screen. On pages of their own, and beside the comparison in the report.
-import {bifurcationFigure} from './bifurcation.js';
+// magnetic bearings, a bifurcation diagram, branches of periodic rubs. Each is drawn when it comes near the screen. On pages of their own, and beside the comparison in the report.
+import {bifurcationFigure, branchesFigure} from './bifurcation.js';
 import {loopFigure} from './loop.js';
 import {mapsOf} from './maps.js';
 import {convergenceFigure} from './optimum.js';
@@ -13,6 +13,7 @@ const figures = {
   loop: (plot) => loopFigure(data.loops[plot.dataset.index], plot.dataset.plot),
   convergence: (plot) => convergenceFigure(data.search, plot),
   bifurcation: () => bifurcationFigure(data.bifurcation),
+  branches: (plot) => branchesFigure(data.branches, plot.dataset.plot),
   bench: (plot) => precision(benchOf(data.benches[plot.dataset.index]), plot.dataset.plot, plot),
   rotor: (plot) => rotorFigure(data.rotor, plot.dataset.plot, plot.clientWidth, plot.dataset.index),
 };

@@ -171,6 +171,18 @@ TEST(PeriodicRubs, SayWhyThereIsNone) {
       << none.without.at(0).why;
 }
 
+// Rolling under weight and a load has two frequencies here, so no period; the result says what the
+// run does.
+TEST(PeriodicRubs, SayWhatARunFromABackwardStartDoesWithoutAPeriod) {
+  scene::Scene scene =
+      test::shipped("bench_whip", {kWeight, "contact.friction=0.4", "contact.radius=0.05037"});
+  test::add_rotating_force(scene, 5.0, scene.rotor.speed);
+  const PeriodicRubs all = lasting_rubs_by_shooting(scene);
+  ASSERT_FALSE(all.without.empty());
+  EXPECT_NE(all.without[0].why.find("; at its end: rolling, whirl -"), std::string::npos)
+      << all.without[0].why;
+}
+
 TEST(PeriodicRubs, StandInTheResultIfAskedFor) {
   const scene::Scene scene = test::shipped("compliant_ring");
   RotorAnalysis analysis = analyse_rotor(scene, {});

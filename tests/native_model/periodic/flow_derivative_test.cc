@@ -43,8 +43,8 @@ std::string expect_derivative(const Model& model, const State& start, double dur
   for (Eigen::Index j = 0; j < d.basis.cols(); ++j) {
     constexpr double kShare = 1e-5;
     const auto end_at = [&](double share) {
-      const State moved =
-          map.moved(start, point, d.basis, share * Eigen::VectorXd::Unit(d.basis.cols(), j), held);
+      const State moved = map.moved(start, point.sizes, d.basis,
+                                    share * Eigen::VectorXd::Unit(d.basis.cols(), j), held);
       const MotionRecord motion = record_motion(model, moved, start.t + duration);
       EXPECT_EQ(motion.status, Status::kOk) << motion.message;
       const Eigen::Map<const Eigen::VectorXd> y(motion.end.data(), point.sizes.size());

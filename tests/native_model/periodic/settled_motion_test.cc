@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "native_model/periodic/return_map.h"
@@ -20,7 +21,8 @@ SettledMotion settled(const scene::Scene& scene, SettlingParameters parameters =
   if (found.found()) {
     const PeriodicMotion& m = found.motion;
     EXPECT_TRUE(m.stable);
-    EXPECT_LT(ReturnMap(model).at(m.start, 3.0 * m.period, 3 * m.turns).residual, 1e-8);
+    const ReturnMap map(model, {}, m.frame != 0.0);
+    EXPECT_LT(map.at(m.start, 3.0 * m.period, 3 * m.turns).residual, 1e-8);
     EXPECT_GE(found.run_time, scene.run.end);
   }
   return found;
@@ -52,6 +54,59 @@ TEST(SettledMotion, IsSubHarmonicBeyondAPeriodDoubling) {
   const SettledMotion none = settled(scene, once);
   EXPECT_FALSE(none.found()) << "the bounce once a turn is unstable";
   EXPECT_TRUE(says(none, "after at most 1 period")) << none.refusal;
+}
+
+// With little damping a rotor with gyroscopic moments bounces for ever a little above the speeds
+// w_B + 2 w_F and (w_B + 3 w_F) / 2 (Shaw, Champneys and Friswell 2016), beside its free orbit. The
+// bounce repeats in the frame of the unbalance.
+struct Resonance {
+  double at_rest;       // rad/s, the condition with the whirls at this speed
+  double speed, force;  // rad/s, N
+  double damping, vx, vy;
+  int backward, forward, divisor;  // (backward w_B + forward w_F) / divisor
+};
+
+constexpr double kResonant = 1e4, kGyroscopic = 0.143;  // N/m, kg, of 1 kg
+
+scene::Scene resonant_rotor(const Resonance& of, double speed) {
+  scene::Scene scene = test::make_scene({.mass = 1.0,
+                                         .damping = of.damping,
+                                         .stiffness = kResonant,
+                                         .clearance = 1e-3,
+                                         .restitution = 1.0,
+                                         .speed = speed});
+  scene.rotor.modal->gyroscopic = {kGyroscopic};
+  scene.first().contact->compliance = Compliance{.stiffness = 1.32 * kResonant, .damping = 0.0};
+  test::add_rotating_force(scene, of.force, speed);
+  scene.initial.vx = {of.vx};
+  scene.initial.vy = {of.vy};
+  scene.run.end = 6.0;
+  return scene;
+}
+
+TEST(SettledMotion, BouncesByInternalResonance) {
+  for (const Resonance& of :
+       {Resonance{332.2, 355.54, 38.0, 2.0, -0.001, 0.004, 1, 2, 1},
+        Resonance{218.0, 235.794672, 17.0, 0.6, 0.085992, -0.0650914, 1, 3, 2}}) {
+    const double half = 0.5 * kGyroscopic * of.at_rest, root = std::sqrt(half * half + kResonant);
+    EXPECT_NEAR((of.backward * (root - half) + of.forward * (root + half)) / of.divisor, of.at_rest,
+                0.2);
+    const SettledMotion found = settled(resonant_rotor(of, of.speed));
+    ASSERT_TRUE(found.found()) << found.refusal;
+    EXPECT_EQ(found.motion.frame, of.speed);
+    EXPECT_EQ(found.order, 0) << "its period is its own";
+    EXPECT_GT(of.speed, of.at_rest);
+    EXPECT_LT(of.speed, 1.1 * of.at_rest);
+  }
+}
+
+// Below the resonance the same start leads to the free orbit, which rests in that frame.
+TEST(SettledMotion, AFreeOrbitIsSeenAtRest) {
+  const Resonance of{332.2, 355.54, 38.0, 2.0, -0.001, 0.004, 1, 2, 1};
+  const SettledMotion found = settled(resonant_rotor(of, 330.0));
+  ASSERT_TRUE(found.found()) << found.refusal;
+  EXPECT_EQ(found.motion.frame, 0.0);
+  EXPECT_EQ(found.order, 1);
 }
 
 TEST(SettledMotion, OfAFreePeriodHasNoOrder) {

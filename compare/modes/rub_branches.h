@@ -1,0 +1,67 @@
+// Branches of periodic rubs over a key of a scene, stable and unstable, for machines of any kind:
+// `rotorub modes --periodic --across`. At each value of the key, and of a second one, runs settle
+// to periodic rubs (periodic_rubs.h). Each rub that lies on no branch yet is continued over the
+// first key in both directions (native_model/periodic/continuation.h). Then each branch is carried
+// over to the neighbouring values of the second key, where runs may settle to something else.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/modes/periodic_rubs.h"
+#include "compare/modes/rub_key_map.h"
+#include "native_model/periodic/continuation.h"
+
+namespace rotorub {
+
+// `settled` of the rub has no run, except at the branch's start.
+struct RubOnBranch {
+  double value = 0.0;  // of the first key
+  periodic::PointKind point = periodic::PointKind::kRegular;
+  PeriodicRub rub;
+};
+
+struct RubBranch {
+  double up = 0.0;                  // value of the second key, if there is one
+  double from = 0.0;                // value of the first key where the branch was found
+  std::vector<std::string> starts;  // of the runs that settle to it, or the branch beside it
+  std::vector<RubOnBranch> points;  // in the order of the branch
+  std::string first_end, last_end;  // why it ends at its first and at its last point
+};
+
+// True if a rub that was found at a value of the first key lies between two points of the branch,
+// up to 2 % of its figures.
+bool lies_on(const RubBranch& branch, double value, const PeriodicRub& rub);
+
+// A start whose run settles to no periodic rub.
+struct UnsettledValue {
+  double value = 0.0, up = 0.0;
+  std::string start, why;
+};
+
+struct RubBranches {
+  MapAxis across;             // runs begin at its values; the branches lie within its range
+  std::optional<MapAxis> up;  // one diagram for each of its values
+  std::vector<std::string> contacts;
+  std::vector<RubBranch> branches;  // by rising `up`
+  std::vector<UnsettledValue> without;
+};
+
+struct BranchOptions {
+  ShootingOptions shooting{};
+  int most_points = 150;  // of a branch in one direction
+  // Limit of the effort in one direction, in stretches as SettlingParameters::most_stretches.
+  std::int64_t most_stretches = 15'000'000;
+  const std::atomic<bool>* interrupt = nullptr;
+  std::function<void(double share)> progress{};
+};
+
+// If rotor.speed varies, each load keeps its ratio to the spin. Throws scene::SceneError if the
+// scene is refused at all values. Ends early if interrupted.
+RubBranches rub_branches(const scene::Variants& scenes, const MapAxis& across,
+                         const std::optional<MapAxis>& up, const BranchOptions& options = {});
+
+}  // namespace rotorub
