@@ -86,7 +86,7 @@ bool EventIntegrator::release_if_unloaded(std::size_t k) {
 // slip that begins would stop it at once.
 void EventIntegrator::hold_without_slip(std::size_t k) {
   Closed held = phase_.rigid_contacts();
-  held.push_back({k, Constraint::Velocity::kNoSlip});
+  held.push_back({k, Constraint::Velocity::kSticking});
   project(held);
 }
 

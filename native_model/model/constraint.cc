@@ -88,7 +88,7 @@ void Constraint::to_circles(double t, double* q, const double* v, std::span<cons
 void Constraint::project(double t, double* q, double* v, std::span<const Closed> closed) {
   ContactList<Closed> on_circles;
   for (const Closed& c : closed) {
-    if (c.velocity != Velocity::kNoSlip) on_circles.push_back(c);
+    if (c.velocity != Velocity::kSticking) on_circles.push_back(c);
   }
   to_circles(t, q, v, {on_circles.data(), on_circles.size()});
   if (closed.size() == 1) return project_one(t, q, v, closed.front());
@@ -103,7 +103,7 @@ void Constraint::project_one(double t, double* q, double* v, const Closed& close
       delassus(contact_admittance(*model_, t, q, k), p.e_r, model_->auxiliary[k].contact->radius);
   PlanarImpulse l{-p.gap_rate / g.nn, 0.0};
   if (closed.velocity == Velocity::kZero) l = sticking_impulse(g, p.gap_rate, p.slip);
-  if (closed.velocity == Velocity::kNoSlip) l = {0.0, -p.slip / g.tt};
+  if (closed.velocity == Velocity::kSticking) l = {0.0, -p.slip / g.tt};
   apply(t, q, v, p.e_r, l.normal, l.friction, k);
 }
 
@@ -118,7 +118,7 @@ void Constraint::project_several(double t, double* q, double* v, std::span<const
     rates.segment<2>(row) << at[i].point.gap_rate, at[i].point.slip;
     const Velocity velocity = closed[i].velocity;
     if (velocity == Velocity::kTangential || velocity == Velocity::kZero) system.set_unknown(row);
-    if (velocity == Velocity::kZero || velocity == Velocity::kNoSlip) system.set_unknown(row + 1);
+    if (velocity == Velocity::kZero || velocity == Velocity::kSticking) system.set_unknown(row + 1);
   }
   if (system.count == 0) return;
   const ContactVector p = system.solve(delassus(*model_, t, q, at), rates);

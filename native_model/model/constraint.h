@@ -34,8 +34,8 @@ class Constraint {
 
   // The relative velocity of a closed contact is free (kAny), tangential with gdot_N = 0
   // (kTangential), or zero with gdot_N = gdot_T = 0 (kZero). A compliant contact that sticks has
-  // gdot_T = 0 alone (kNoSlip) and is on no circle.
-  enum class Velocity { kAny, kTangential, kZero, kNoSlip };
+  // gdot_T = 0 alone (kSticking) and is on no circle.
+  enum class Velocity { kAny, kTangential, kZero, kSticking };
   struct Closed {
     std::size_t contact = 0;
     Velocity velocity = Velocity::kAny;
