@@ -5,17 +5,15 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
-#include <iterator>
 #include <memory>
 #include <mutex>
-#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 
+#include "plugin/fingerprint.h"
 #include "plugin/make_config.h"
 #include "plugin/model/message.h"
-#include "plugin/model/mujoco_actuators.h"
 #include "plugin/model/mujoco_versions.h"
 #include "plugin/model/thread_memory.h"
 #include "plugin/model/user_data.h"
@@ -25,89 +23,6 @@
 
 namespace rotorub::plugin {
 namespace {
-
-// Calls action(bytes, count) for each part of the fingerprint until it returns false.
-template <typename Action>
-bool for_each_part(const mjModel* m, Action action) {
-  const std::span<const int> instances = plugin_slots(m);
-  const std::string_view attributes = plugin_attributes(m);
-  const int sizes[] = {count(m->nq),
-                       count(m->nv),
-                       count(m->nu),
-                       count(m->njnt),
-                       count(m->ngeom),
-                       count(m->nsensor),
-                       count(m->ntextdata),
-                       count(m->nnames),
-                       count(m->nnumericdata),
-                       count(m->nuserdata),
-                       count(m->npair),
-                       count(m->nmocap),
-                       count(m->nbody),
-                       count(m->na),
-                       count(m->ntext),
-                       count(m->nnumeric),
-                       count(m->neq),
-                       count(m->ntendon),
-                       count(m->nwrap),
-                       count(m->nsite),
-                       collides_freely(m),
-                       collides_pairs(m),
-                       count(instances.size()),
-                       count(attributes.size())};
-  const auto part = [&action](const auto* data, auto n) {
-    return n == 0 ||
-           action(reinterpret_cast<const char*>(data), sizeof *data * static_cast<std::size_t>(n));
-  };
-  // clang-format off
-  return part(sizes, static_cast<int>(std::size(sizes))) &&
-         part(m->text_data, m->ntextdata) && part(m->text_adr, m->ntext) &&
-         part(instances.data(), instances.size()) &&
-         part(attributes.data(), attributes.size()) &&
-         part(m->numeric_data, m->nnumericdata) && part(m->numeric_adr, m->nnumeric) &&
-         part(m->names, m->nnames) && part(m->name_textadr, m->ntext) &&
-         part(m->name_numericadr, m->nnumeric) && part(m->name_bodyadr, m->nbody) &&
-         part(m->name_jntadr, m->njnt) && part(m->name_geomadr, m->ngeom) &&
-         part(m->name_sensoradr, m->nsensor) && part(m->name_actuatoradr, actuator_count(m)) &&
-         part(m->jnt_type, m->njnt) && part(m->jnt_qposadr, m->njnt) &&
-         part(m->jnt_dofadr, m->njnt) && part(m->jnt_bodyid, m->njnt) &&
-         part(m->geom_type, m->ngeom) && part(m->geom_bodyid, m->ngeom) &&
-         part(m->body_parentid, m->nbody) && part(m->body_mocapid, m->nbody) &&
-         part(m->sensor_type, m->nsensor) && part(m->sensor_dim, m->nsensor) &&
-         part(m->sensor_adr, m->nsensor) && part(m->sensor_needstage, m->nsensor) &&
-         part(m->sensor_objid, m->nsensor) &&
-         part(m->actuator_gaintype, actuator_count(m)) &&
-         part(m->actuator_biastype, actuator_count(m)) &&
-         part(m->actuator_dyntype, actuator_count(m)) &&
-         part(m->pair_geom1, m->npair) && part(m->pair_geom2, m->npair) &&
-         part(m->pair_dim, m->npair) && part(m->pair_margin, m->npair) &&
-         part(m->pair_gap, m->npair) && part(m->pair_solref, mjNREF * m->npair) &&
-         part(m->jnt_limited, m->njnt) && part(m->dof_frictionloss, m->nv) &&
-         part(m->tendon_limited, m->ntendon) && part(m->tendon_frictionloss, m->ntendon) &&
-         part(m->tendon_adr, m->ntendon) && part(m->tendon_num, m->ntendon) &&
-         part(m->wrap_type, m->nwrap) && part(m->wrap_objid, m->nwrap) &&
-         part(m->site_bodyid, m->nsite) &&
-         part(m->geom_contype, m->ngeom) && part(m->geom_conaffinity, m->ngeom) &&
-         part(m->eq_type, m->neq) && part(equality_end_types(m), m->neq) &&
-         part(m->eq_obj1id, m->neq) && part(m->eq_obj2id, m->neq);
-  // clang-format on
-}
-
-// Most parts have a few words, for which a call of memcmp would cost more than the comparison.
-bool same_bytes(const char* a, const char* b, std::size_t count) {
-  constexpr std::size_t kWord = sizeof(std::uint64_t), kShort = 64;
-  if (count > kShort) return std::memcmp(a, b, count) == 0;
-  for (; count >= kWord; count -= kWord, a += kWord, b += kWord) {
-    std::uint64_t one, other;
-    std::memcpy(&one, a, kWord);
-    std::memcpy(&other, b, kWord);
-    if (one != other) return false;
-  }
-  for (; count > 0; --count) {
-    if (*a++ != *b++) return false;
-  }
-  return true;
-}
 
 class Hash {
  public:
@@ -132,10 +47,8 @@ struct ModelHash {
 };
 ModelHash model_hash(const mjModel* m) {
   Hash kind, numbers;
-  for_each_part(m, [&kind](const char* part, std::size_t count) {
-    kind.add_bytes(part, count);
-    return true;
-  });
+  const std::string bytes = fingerprint(m);
+  kind.add_bytes(bytes.data(), bytes.size());
   numbers.add(m->opt.gravity, 3);
   numbers.add(&m->opt.disableflags, 1);
   numbers.add(m->dof_armature, count(m->nv));
@@ -153,7 +66,7 @@ using ConfigPointer = std::shared_ptr<const Config>;
 
 // True if the config still belongs to m.
 bool fits(const Config& config, const mjModel* m) {
-  return has_fingerprint(m, config.fingerprint) && has_parameters(config, m);
+  return fingerprint(m) == config.fingerprint && has_parameters(config, m);
 }
 
 // The configs that any thread of the process holds, so that threads share them.
@@ -183,8 +96,7 @@ class Registry {
     if (ConfigPointer known = among(m, hash.numbers)) return known;
     const auto at = latest_.find(hash.kind);
     if (at != latest_.end()) *near = at->second.lock();
-    if (*near && !(has_fingerprint(m, (*near)->fingerprint) && same_motion(**near, m)))
-      near->reset();
+    if (*near && !(fingerprint(m) == (*near)->fingerprint && same_motion(**near, m))) near->reset();
     return nullptr;
   }
   ConfigPointer among(const mjModel* m, std::uint64_t numbers) const {
@@ -219,6 +131,7 @@ Registry& registry() {
 struct Known {
   ConfigPointer config;  // null: a foreign model, with these names in its <custom>:
   std::string names;
+  ModelImage image;                  // of a model with a config
   const mjData* compared = nullptr;  // the mjData and the time of the pass that compared them
   double time = 0.0;
 };
@@ -260,11 +173,22 @@ const Config* look_up(const mjModel* m) {
     const Known* known = recent.find(m);
     if (known && known->config && fits(*known->config, m) && same_motion(*known->config, m))
       return known->config.get();
-    return recent.add(m, {registry().find_or_make(m), {}}).config.get();
+    Known& made = recent.add(m, {registry().find_or_make(m), {}, {}});
+    made.image.take(m);
+    return made.config.get();
   } catch (const std::exception& error) {
     copy_lines(error.what(), raised_text);
   }
   return nullptr;
+}
+
+// True if the known config still belongs to m, whose numbers or whole structure may have been
+// edited.
+bool still_fits(Known& known, const mjModel* m) {
+  if (known.image.equals(m)) return has_parameters(*known.config, m);
+  if (!fits(*known.config, m)) return false;
+  known.image.take(m);
+  return true;
 }
 
 // True if mjData carries the mark of the config.
@@ -277,12 +201,12 @@ const Config* find(const mjModel* m, const mjData* d, bool check) {
   if (Known* known = recent.find(m)) {
     if (!known->config) {
       if (is_still_foreign(*known, m, d, check)) return nullptr;
-    } else if (is_marked(m, d, *known->config) && (!check || fits(*known->config, m))) {
+    } else if (is_marked(m, d, *known->config) && (!check || still_fits(*known, m))) {
       return known->config.get();
     }
   }
   if (!is_ours(m)) {
-    recent.add(m, {nullptr, std::string(custom_names(m)), check ? d : nullptr, d->time});
+    recent.add(m, {nullptr, std::string(custom_names(m)), {}, check ? d : nullptr, d->time});
     return nullptr;
   }
   const Config* config = look_up(m);
@@ -304,26 +228,5 @@ const Config* find(const mjModel* m, const mjData* d, bool check) {
 
 const Config* find_config(const mjModel* m, const mjData* d) { return find(m, d, false); }
 const Config* find_config_checked(const mjModel* m, const mjData* d) { return find(m, d, true); }
-
-std::string fingerprint(const mjModel* m) {
-  std::string bytes;
-  for_each_part(m, [&bytes](const char* part, std::size_t count) {
-    bytes.append(part, count);
-    return true;
-  });
-  return bytes;
-}
-
-bool has_fingerprint(const mjModel* m, const std::string& kept) {
-  const char* at = kept.data();
-  const char* const end = at + kept.size();
-  const bool same = for_each_part(m, [&](const char* part, std::size_t count) {
-    if (static_cast<std::size_t>(end - at) < count) return false;
-    if (!same_bytes(at, part, count)) return false;
-    at += count;
-    return true;
-  });
-  return same && at == end;
-}
 
 }  // namespace rotorub::plugin

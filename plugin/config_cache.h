@@ -3,8 +3,6 @@
 
 #include <mujoco/mujoco.h>
 
-#include <string>
-
 #include "plugin/model/config.h"
 
 namespace rotorub::plugin {
@@ -17,11 +15,5 @@ const Config* find_config(const mjModel* m, const mjData* d);
 // The same, but also compares the model's whole text, names and numbers. Called once in a step, so
 // that a model that was changed in place is noticed.
 const Config* find_config_checked(const mjModel* m, const mjData* d);
-
-// The data by which an mjModel is recognised; models with the same bytes are mapped in the same
-// way. They are sizes, custom text and numbers, names, types and addresses, the numbers that decide
-// who solves a pair, and what equalities, tendons and contact filters connect.
-std::string fingerprint(const mjModel* m);
-bool has_fingerprint(const mjModel* m, const std::string& kept);
 
 }  // namespace rotorub::plugin
