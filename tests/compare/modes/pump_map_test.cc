@@ -119,9 +119,11 @@ TEST(PumpMap, RandomStartsEndOnIt) {
   for (const auto& [why, count] : found.others) ADD_FAILURE() << count << ": " << why;
 }
 
+// From a friction of about 0.32 on some starts lead to backward rolling, which has no period beside
+// the unbalance.
 TEST(PumpMap, TwoHundredRandomStartsEndOnItNightly) {
   const scene::Variants scenes = pump(3);
-  const RubBranches map = rub_branches(scenes, axis(kFrictionKey, "", 0.05, 0.6, 4),
+  const RubBranches map = rub_branches(scenes, axis(kFrictionKey, "", 0.05, 0.3, 4),
                                        axis(kSpeedKey, "rad/s", 45.0 * kHertz, 75.0 * kHertz, 4));
   const Endings found = endings(scenes, map, 200);
   EXPECT_GE(found.listed, 198);
