@@ -229,7 +229,7 @@ std::vector<result::Part> mode_notes(const std::optional<ContactMass>& mass,
         "the effective mass at the contact is {} kg with {} of the shaft's modes, and {} kg with "
         "all "
         "{} of its mesh, so sizes and numbers of impacts depend on rotor.modes; the mean force "
-        "hardly does (README, Limits)",
+        "hardly does",
         short_number(mass->kept), mass->kept_modes, short_number(mass->mesh), mass->mesh_modes));
   }
   if (above && above->matters()) {

@@ -72,7 +72,7 @@ const char* what_it_is(StarterForm form) {
 std::string head(const Starter& starter) {
   return fmt::format(
       "# {0}\n"
-      "# Written by `rotorub init`; every value is there to be changed. Plain numbers are in SI, a "
+      "# Written by `rotorub init`; change any value. Plain numbers are in SI, a "
       "speed without a\n"
       "# unit in rad/s; a text may have a unit: \"0.5 mm\", \"3000 rpm\", \"20 kN/mm\".\n"
       "#\n"
@@ -203,7 +203,7 @@ std::string load(const Starter& starter, const StarterSizes& s) {
   return fmt::format("[[force]]                     # the blade: a free orbit of {} clearances\n",
                      scene::number_text(s.load_orbit, 2)) +
          value("kind", "\"unbalance\"", "") +
-         value("static_moment", moment, "mass times radius of what is missing from then on, kg m") +
+         value("static_moment", moment, "mass of the lost part times its radius, kg m") +
          value("on", s.on, "s, when it goes") +
          (modal ? "" : value("station", s.disc_station, "m")) + "\n";
 }
@@ -263,7 +263,8 @@ std::string rules(const Starter& starter, const StarterSizes& s) {
   return (falls || s.load_orbit > 1.0 ? touches : "") + "[[check]]\n" +
          value("metric", "\"max_penetration\"", "") +
          value("max", number(starter.clearance.value), "m") +
-         value("why", "\"A rigid contact lets nothing in, at a finite step only a little.\"", "");
+         value("why", "\"A rigid contact has no penetration; a finite time step leaves a little.\"",
+               "");
 }
 
 // Removes empty comments.
@@ -290,7 +291,8 @@ std::string starter_text(const Starter& starter, const StarterSizes& sizes) {
   if (starter.form != StarterForm::kTwoCatchers) text += load(starter, sizes);
   text += bearings(starter, sizes);
   if (rig && sizes.force_limit > 0.0) text += active_ring(starter, sizes);
-  text += "[initial]\n" + value("steady", "true", "on the orbit of what acts at t = 0") + "\n";
+  text += "[initial]\n" +
+          value("steady", "true", "start on the orbit of the loads that act at t = 0") + "\n";
   text += rules(starter, sizes);
   return without_empty_comments(text);
 }

@@ -74,8 +74,8 @@ std::string impact_sentence(const ComparedModel& m) {
   const FigureDifference &mean = of(m, "mean_force"), &blow = of(m, "window_impulse");
   if (mean.verdict == FigureVerdict::kOutside || blow.verdict != FigureVerdict::kOutside) return {};
   return fmt::format(
-      "the mean force is right ({}), single impacts are not: the largest gives {} N s where the "
-      "rigid law gives {}",
+      "the mean force is right ({}), single impacts are not: the largest is {} N s, and {} N s "
+      "by the rigid law",
       difference_text(mean), short_number(blow.other), short_number(blow.native));
 }
 
@@ -87,7 +87,7 @@ std::string split_sentence(const FigureDifference& f, double tolerance) {
   if (!s.valid) {
     if (std::abs(f.deviation) <= tolerance) return {};
     return fmt::format(
-        "how much of the difference in {} is due to the step cannot be determined: {}", what,
+        "how much of the difference in {} is due to the step cannot be determined ({})", what,
         s.reason);
   }
   const double gap = std::abs(s.model_gap);
