@@ -1,8 +1,5 @@
 #include "compare/report/branches_page.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -31,19 +28,9 @@ std::string branches_page(const scene::Scene& scene, const RubBranches& all) {
   json data = result::json_of(found).at("rub_branches");
   data["across"] = axis_of(data.at("across"));
   if (all.up) data["up"] = axis_of(data.at("up"));
-  constexpr const char* lead =
-      "Motions of rotor and ring that repeat, with all impacts, slip and sticking, followed over "
-      "{} "
-      "by continuation; each is a solution of the event-driven model up to round-off. Runs settle "
-      "only to stable ones.";
-  json sheets = page_json(found);
-  sheets.push_back({{"summary", "The scene's text"}, {"pre", scene.text}});
-  const json parts = {{{"lead", fmt::format(lead, all.across.key)}},
-                      {{"class", "plots"}, {"parts", {{{"plots", "branches"}}}}},
-                      {{"class", "sheets"}, {"parts", std::move(sheets)}}};
   return laid_out_page(
-      {scene.name, "periodic rubs", "Which rubs repeat, and which of them last?"}, found, parts,
-      {{"branches", std::move(data)}},
+      {scene.name, "periodic rubs", "Which rubs repeat, and which of them last?"}, found,
+      "branches", {{"branches", std::move(data)}, {"texts", {scene.text}}},
       "`rotorub modes --periodic --across --json` prints the figures in SI units.");
 }
 

@@ -1,4 +1,4 @@
-// The pages of maps: of a sweep, of lasting rubs, and of feedback that calms them.
+// The pages of maps: of a sweep, of lasting rubs, of branches of periodic rubs, and of feedback that calms rubs.
 import {answerOf, scenesText, sheetsOf, splitAtHeading} from './answer.js';
 import {short} from './style.js';
 
@@ -31,6 +31,11 @@ export function rubMapParts(data) {
     'with contact kept. The spin is held, and where it changes each load keeps its ratio to it. Where several are stable, the start decides; ' +
     'where only rolling is, a rotor that does not roll bounces. A stable rub may still be out of reach: these maps know nothing of impacts.', data);
 }
+
+export const branchesParts = ({page, branches: {across}, texts: [scene]}) => [
+  {lead: `Motions of rotor and ring that repeat, with all impacts, slip and sticking, followed over ${across.key} by continuation. ` +
+    'Each is a solution of the event-driven model up to round-off. Runs settle only to stable ones.'},
+  {class: 'plots', parts: [{plots: 'branches'}]}, sheetsOf([...page.parts, scenesText(scene)])];
 
 export function feedbackMapParts(data) {
   const [{keys: [speeds, feedbacks], columns: [growth]}] = data.maps, each = feedbacks.values.length, all = speeds.values.length;

@@ -182,7 +182,7 @@ TEST_F(Optimise, SaysWhatIsWrong) {
       {std::string(kDamping) + "[optimise]\n", "exactly one of"},
       {std::string(kDamping) + goal + "maximise = \"impacts\"\n", "exactly one of"},
       {std::string(kDamping) + "[optimise]\nminimise = \"modes.\"\n", "rotorub modes --json"},
-      {std::string(kDamping) + goal + "algorithm = \"bfgs\"\n", "ccepted: cobyla, bobyqa"},
+      {std::string(kDamping) + goal + "algorithm = \"bfgs\"\n", "choose from cobyla, bobyqa"},
       {std::string(kDamping) + goal + "tolerance = 2\n", "below 1"},
       {std::string(kDamping) + goal +
            "algorithm = \"bobyqa\"\n[[optimise.constraint]]\n"

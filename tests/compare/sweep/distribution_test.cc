@@ -154,7 +154,7 @@ TEST(DrawnStudy, SaysWhatADistributionLacks) {
       {"distribution = \"normal\"\nmean = 0.3\ndeviation = 0\n", "above 0"},
       {"distribution = \"normal\"\nmean = 0.3\ndeviation = 0.1\nfrom = 2\nto = 1\n",
        "above `from`"},
-      {"distribution = \"gauss\"\n", "ccepted: uniform, normal, lognormal, triangular, weibull"},
+      {"distribution = \"gauss\"\n", "choose from uniform, normal, lognormal, triangular, weibull"},
       {"distribution = \"uniform\"\nfrom = 0.1\nto = 0.2\nmode = 0.1\n",
        "belongs to distribution = \"triangular\""},
       {"distribution = \"triangular\"\nfrom = 0.1\nto = 0.2\nmode = 0.3\n", "between `from`"},

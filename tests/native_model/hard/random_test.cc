@@ -125,12 +125,13 @@ void expect_event_settles(int scenes) {
 TEST(HardRandomContactsLong, EventSettlesEveryOne) { expect_event_settles(30); }
 
 // Scene 430 has two contacts: a rigid one sticks while the compliant one begins to slip, against a
-// slip of 1.5e-9 of its speed to which it had drifted.
+// slip of 1.5e-9 of its speed to which it had drifted. Later its wall is too soft for the load.
 TEST(HardRandomContacts, ADriftDoesNotStopASlipThatBegins) {
   RandomShafts shafts(17);
   for (int k = 0; k < 430; ++k) shafts.next();
   const Trajectory t = test::attempt_event(shafts.next());
-  EXPECT_EQ(t.status, Status::kOk) << t.message;
+  EXPECT_NE(t.message.find("deep in the ring"), std::string::npos) << t.message;
+  EXPECT_GT(t.end, 0.003);
   EXPECT_LT(t.statistics.energy_residual(), 1e-8);
 }
 
