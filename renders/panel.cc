@@ -46,7 +46,7 @@ void Panel::make_charts(const Trajectory& trajectory) {
     const Area& area = layout_.charts[charts_.size()];
     options.width = area.width;
     options.height = area.height;
-    // Of charts below each other, the last one has the times.
+    // The last of the charts below each other has the time axis.
     options.times = area.bottom() == layout_.charts.back().bottom();
     charts_.emplace_back(options, curves);
   };

@@ -60,7 +60,7 @@ class Machines {
   double speed_;
 };
 
-// What runs settle to at one value; `error` if the scene is refused there.
+// The rubs to which runs settle at one value; `error` is set if the scene is refused there.
 struct Found {
   PeriodicRubs rubs;
   std::optional<scene::SceneError> error;

@@ -24,7 +24,8 @@ std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
                        const PointRuns& runs = {}, const nlohmann::json& bifurcation = nullptr);
 
 // The values of the sweep for a report that shows it too (beside.h): "name", "answer" (sentences of
-// sweep/answer.h), "plots" with the linear figures, and why there are none ("linear_refused").
+// sweep/answer.h), "plots" with the linear figures, and "linear_refused", the reason if there are
+// no linear figures.
 nlohmann::json sweep_json(const sweep::PointScenes& scenes, sweep::Store& store,
                           const sweep::Study& study);
 

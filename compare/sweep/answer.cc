@@ -133,7 +133,7 @@ class Region {
   std::vector<const Settlement*> inside_{};
 };
 
-// Those with contact first, the most dangerous before all others.
+// Attractors with contact come first, the most dangerous before all others.
 constexpr const char* kOrder[] = {"backward whip",   "rolling", "bouncing",   "forward rub",
                                   "synchronous rub", "resting", "no contact", "unknown"};
 

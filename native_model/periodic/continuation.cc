@@ -19,7 +19,7 @@ constexpr double kZero = 1e-11;         // of a test function
 constexpr double kGrazingWidth = 1e-6;  // of the arclength between two points
 constexpr double kReal = 1e-9;          // relative; smaller imaginary parts count as 0
 
-// Of Newton's method with equations from nearby.
+// Number of corrections by Newton's method with the derivative of a nearby point.
 constexpr int kFewCorrections = 7, kManyCorrections = 12;
 constexpr double kOfLastStep = 0.999;  // of the distance to the end of the range
 constexpr double kBeyond = 0.05;  // of the first step, where the events of the next motion are seen

@@ -65,8 +65,8 @@ class OwnCones {
     mj_solveM(m, d, solved_, columns_, static_cast<int>(n_));
   }
 
-  // Writes |z| of each contact to `shift`. False: there is no solution, or MuJoCo's rows have
-  // another one, because of torsional or rolling friction or of the corners of a pyramid.
+  // Writes |z| of each contact to `shift`. Returns false if there is no solution, or if MuJoCo's
+  // rows have another one, because of torsional or rolling friction or the corners of a pyramid.
   bool solve() {
     ContactMatrix a(n_, n_);
     ContactVector b(n_);

@@ -18,7 +18,7 @@
 namespace rotorub::plugin {
 
 // True if a row of the solver is coupled to the contact: J_row M^-1 J^T != 0. `but`: rows that do
-// not count; those below 0 are none.
+// not count; values below 0 are ignored.
 bool constraints_couple(const mjModel* m, mjData* d, const ContactSpace& space,
                         std::span<const int> but = {});
 

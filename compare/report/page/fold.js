@@ -1,5 +1,5 @@
-// What decides nothing begins folded, and on small screens all long parts do; a link into a folded part opens it; paper has
-// every table and plot.
+// Parts that decide nothing begin folded, and on small screens all long parts do. A link into a folded part opens it; paper
+// has every table and plot.
 const kFirstPlots = 6;  // of a scene; on a small screen two fewer (report.css)
 
 const small = () => matchMedia('(max-width: 760px)').matches;

@@ -69,7 +69,8 @@ export function modesCards(rotor, judged) {
     ...places.flatMap((place) => rubCards(place, at))];
 }
 
-// Of several peaks at nearly the same speed the largest, with its distance from the scene's speed and the one that API 617 asks for.
+// Lists the peaks with their distance from the scene's speed and the distance that API 617 asks for. Where peaks nearly coincide, it
+// lists the largest.
 export function peaksOf(bode) {
   const all = (bode?.curves || []).flatMap(({name, plane, peaks}) => peaks.map((peak) => ({...peak, name: plane ? `${name}, ${plane}` : name})))
     .sort((a, b) => a.speed - b.speed);

@@ -1,4 +1,4 @@
-// What the scripts of all pages share: the page's data, the drawing of a plot, the light or dark theme, and the units.
+// The scripts of all pages share this: the page's data, the drawing of a plot, the light or dark theme, and the units.
 import {foldParts} from './fold.js';
 import {unpacked} from './packed.js';
 import {offerFiles} from './save.js';

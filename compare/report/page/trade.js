@@ -1,4 +1,4 @@
-// What control trades: the forces of contact and of actuators over the size of the orbit, for the native run of each scene.
+// The trade-off of control: the forces of contact and of actuators over the size of the orbit, for the native run of each scene.
 import {axes, css, layout} from './style.js';
 
 // The orbit in mm, at the end of the run, and forces in N. scenes: LiveScene.

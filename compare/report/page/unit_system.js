@@ -9,7 +9,7 @@ const known = Object.entries({
 }).flatMap(([kind, sizes]) => Object.entries(sizes).map(([unit, size]) => [unit, {kind, size}]));
 const kinds = new Map(known);
 
-// Name for the reader, and of each kind the unit and its size in SI; SI leaves all as it is.
+// Each system has a name for the reader, and for each kind of quantity the unit and its size in SI. SI changes nothing.
 export const systems = {
   si: {name: 'SI'},
   mm: {name: 'mm, N', length: ['mm', 1e-3], speed: ['mm/s', 1e-3], force: ['N', 1], impulse: ['N s', 1], torque: ['N mm', 1e-3],
@@ -69,7 +69,7 @@ const isHeading = (element) => element.matches('th, figcaption .unit');
 
 const headsOf = (cell) => [...(cell.closest('table').tHead?.rows[0]?.cells ?? [])].map(siText);
 
-// Of a number in a table: of a column "unit", else of its column's heading, else of its row's.
+// The unit of a number in a table stands in a column "unit", in the heading of its column, or in the heading of its row.
 function unitBeside(cell) {
   const heads = headsOf(cell), column = heads.indexOf('unit'), {cells} = cell.parentElement;
   return column >= 0 ? siText(cells[column]) : unitOf(heads[cell.cellIndex]) ?? (cells[0] === cell ? undefined : unitOf(siText(cells[0])));
