@@ -127,8 +127,8 @@ void register_contact_plugin() {
   plugin.name = kInstancePlugin;
   plugin.nattribute = static_cast<int>(instance_keys().size());
   plugin.attributes = instance_keys().data();
-  // Of MuJoCo's capabilities this is the one that requires nothing else from the model. The plugin
-  // does its work in the callbacks.
+  // mjPLUGIN_PASSIVE is the only capability that requires nothing else from the model. The plugin
+  // itself works in the callbacks.
   plugin.capabilityflags = mjPLUGIN_PASSIVE;
   plugin.nstate = [](const mjModel*, int) { return 0; };
   plugin.init = check_instance;

@@ -17,8 +17,9 @@ void restore_callbacks();
 
 bool callbacks_active();  // true between install_callbacks() and restore_callbacks()
 
-// Takes back every callback that others have overwritten. It costs a few nanoseconds if there is
-// none. If at least one of the plugin's functions is still called, it restores the others.
+// Takes back every callback that others have overwritten. All of the plugin's functions call it, so
+// one function that is still called restores the others. It costs a few nanoseconds if none was
+// overwritten.
 void keep_callbacks();
 
 // True if one of the callbacks was overwritten (not the collision table). Where MuJoCo's own

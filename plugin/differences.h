@@ -11,10 +11,10 @@
 //
 // about the present contact state. In flight it is the step of the free rotor. In lasting contact
 // the gap is held (a nudge that opens or closes it within eps is not noticed, so choose eps below
-// the step's margin). Across an impact it contains the impact law. The units are those of y over y
-// and ctrl, and of s over y and ctrl. A ctrl that the scene's controller writes is not an input:
-// its columns of B are 0, and A contains the closed loop. The differences are two-sided, with an
-// error of order eps^2.
+// the step's margin). Across an impact it contains the impact law. A has the units of y per y, B of
+// y per ctrl, C of s per y, and D of s per ctrl. A ctrl that the scene's controller writes is not
+// an input: its columns of B are 0, and A contains the closed loop. The differences are two-sided,
+// with an error of order eps^2.
 #pragma once
 
 #include <mujoco/mujoco.h>

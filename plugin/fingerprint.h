@@ -9,15 +9,15 @@
 
 namespace rotorub::plugin {
 
-// Models with the same bytes are mapped in the same way. They are sizes, custom text and numbers,
-// names, types and addresses, the numbers that decide who solves a pair, and what equalities,
-// tendons and contact filters connect.
+// Two models with the same fingerprint have the same Config except for its numbers. It contains
+// sizes, custom text and numbers, names, types and addresses, the numbers that decide who solves a
+// pair, and the objects that equalities, tendons and contact filters connect.
 std::string fingerprint(const mjModel* m);
 
-// The bytes of a model in which its fingerprint lies, as they were when it was last compared. In
-// mjModel's buffer the arrays of the fingerprint stand near one another, so that they and what
-// stands between them are a few ranges, which are compared much faster. If only the bytes between
-// have changed, the fingerprint itself must be compared again.
+// A copy of the ranges of mjModel's buffer that contain the fingerprint, for a fast comparison. The
+// arrays of the fingerprint lie close together, so that a few ranges cover them and the bytes in
+// between. If the ranges differ, only bytes in between may have changed, so the fingerprint itself
+// must then be compared.
 class ModelImage {
  public:
   bool equals(const mjModel* m) const;

@@ -1,8 +1,8 @@
 // MuJoCo's inverse dynamics including the plugin's loads and contact.
 //
-// mj_inverse calls mjcb_passive but not mjcb_control, in which the contact is solved. Alone it
-// counts the contact's force among those that the user would have to apply. Here qfrc_inverse is
-// that of a forward pass at the same state,
+// mj_inverse calls mjcb_passive but not mjcb_control, in which the contact is solved. Without the
+// plugin it therefore counts the contact's force as a force that the user would have to apply. Here
+// qfrc_inverse belongs to a forward pass at the same state,
 //   qfrc_inverse = M qacc + bias - passive - constraint   (nv values, N or N m),
 // with the plugin's forces in passive and constraint. After mj_forward it therefore equals
 // qfrc_applied + J' xfrc_applied + qfrc_actuator. In the preloaded library mj_inverse itself does

@@ -2,14 +2,14 @@
 //
 //   dy/dt = A y + B u,   s = C y + D u,     y = (qpos, qvel, act), u = ctrl,
 //
-// y and u minus their present values. It is the system whose solution over a step equals that of
-// `transition` (differences.h): exp(A h), up to the plugin's error of a step. In lasting contact
-// the gap and its rate are not states: y is projected onto what the contact leaves free, and A maps
-// into that space. Motions that would open or close the gap vanish (their eigenvalues are 0). A
-// controller can be designed on it as on any plant; it is valid until contact is made or lost. The
-// rates are those of MuJoCo's qvel; for `rigid` of a generated model they are half a step older
-// than qpos. There the first step from a state that was set is half a kick, so for such a state the
-// next step is linearised instead.
+// where y and u are differences from their present values. Its solution over a step, exp(A h),
+// equals the result of `transition` (differences.h) up to the plugin's error of a step. In lasting
+// contact the gap and its rate are not states: y is projected onto what the contact leaves free,
+// and A maps into that space. Motions that would open or close the gap vanish (their eigenvalues
+// are 0). A controller can be designed on it as on any plant; it is valid until contact is made or
+// lost. The rates are those of MuJoCo's qvel; for `rigid` of a generated model they are half a step
+// older than qpos. There the first step from a state that was set is half a kick, so for such a
+// state the next step is linearised instead.
 #pragma once
 
 #include <mujoco/mujoco.h>

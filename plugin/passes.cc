@@ -26,11 +26,11 @@
 namespace rotorub::plugin {
 namespace {
 
-// Keeps references of constraints that are changed before MuJoCo computes them. After mjcb_passive
-// it computes
+// Keeps changes of the constraints' references that are made before MuJoCo computes the references.
+// After mjcb_passive MuJoCo computes
 //   aref = -B vel - K I (pos - margin).
-// The constructor computes the same. keep() changes the rows' `pos` so that MuJoCo finds the
-// references as they were changed since. It may be called again in the same pass.
+// The constructor computes the same. keep() then changes the rows' `pos` so that MuJoCo's result
+// equals the changed references. It may be called again in the same pass.
 class KeptReferences {
  public:
   KeptReferences(const mjModel* m, mjData* d)
@@ -54,7 +54,8 @@ class KeptReferences {
   }
 
  private:
-  // Stiffness and impedance of a row that has neither, once its reference is stored in `pos`.
+  // Stiffness and impedance that keep() sets in a row without them. They mark rows whose reference
+  // is stored in `pos`.
   static constexpr double kOurs = 1.0;
 
   mjData* d_;
@@ -190,8 +191,8 @@ class PluginForces {
   mjtNum* force_;
 };
 
-// If MuJoCo does not call mjcb_control, mjcb_passive is the last callback. What the velocity stage
-// computes after it is therefore done here first.
+// If MuJoCo does not call mjcb_control, mjcb_passive is the last callback. Therefore this function
+// first computes what MuJoCo's velocity stage would compute after it.
 void run_control_stage_early(const Config& config, const mjModel* m, mjData* d) {
   begin_actuators(d);
   const PluginForces others(m, d);

@@ -50,8 +50,8 @@ void keep(const mjModel* m, const mjData* d) {
   }
 }
 
-// Counts the MuJoCo libraries in the process. With a second one the plugin's structures or
-// callbacks could be those of the wrong one.
+// Counts the MuJoCo libraries in the process. With a second one the plugin could use the structures
+// or callbacks of the wrong one.
 int count_mujoco(dl_phdr_info* info, std::size_t, void* count) {
   const std::string_view path = info->dlpi_name;
   const std::string_view file = path.substr(path.rfind('/') + 1);

@@ -54,7 +54,7 @@ struct ArrowShare {
 };
 inline constexpr double kArrowShare = 0.85;  // longest arrow relative to the rotor's radius
 
-// What the views show at one time: the present pose, the recent path and recent impacts.
+// The content of all views at one time: the present pose, the recent path and recent impacts.
 struct Instant {
   Pose pose;
   // m, centres of the rotor, from the oldest to the present one; empty if they undersample it.

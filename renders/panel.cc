@@ -14,7 +14,7 @@ namespace rotorub::renders {
 
 namespace {
 
-// The curves of one contact: those of a single contact have the colours of their quantities.
+// The colour of a contact's curves. A single contact has the colours of its quantities.
 Color curve_color(const FilmParts& film, std::size_t contact, const Color& alone) {
   return film.contacts() == 1 ? alone : palette::contact(contact);
 }

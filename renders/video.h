@@ -30,7 +30,7 @@ class VideoFile {
   VideoFile(const VideoFile&) = delete;
   VideoFile& operator=(const VideoFile&) = delete;
 
-  // Adds a frame of the size given above.
+  // Adds a frame, which must have the size given to the constructor.
   void add(const Picture& frame);
   // Waits for ffmpeg, checks its exit status and that the film is complete, and moves the file to
   // its final name.

@@ -47,7 +47,7 @@ std::vector<std::string> scene_files(const std::vector<std::string>& places) {
 struct CheckedScene {
   scene::Scene scene;
   std::vector<scene::Rule> rules;
-  std::string refusal;  // why it cannot be read, if its rules expect that
+  std::string refusal;  // the reason why it cannot be read, if its rules expect that
 };
 
 // A file that cannot be read as a scene, for the reason in `error`, and whose rules expect that.

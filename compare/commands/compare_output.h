@@ -30,8 +30,8 @@ void write_report(const std::filesystem::path& folder, const result::Section& re
 
 // The films of a comparison.
 struct SceneFilms {
-  std::vector<Film> films;  // of the first film that failed; otherwise empty
-  std::string failure;      // of the first film that could not be made; empty: none
+  std::vector<Film> films;  // the films that were made
+  std::string failure;      // message of the first film that could not be made; empty: none
 };
 
 // Writes <folder>/<scene>/<run>.mp4, each completely or not at all, with one camera, clock and

@@ -219,8 +219,8 @@ int show_feedback(const ModesArguments& options) {
                           options, [&] { return feedback_map_page(scene, map); });
 }
 
-// rotorub modes --state-space: prints JSON regardless of other options. Of several rings, the plant
-// is that of the first one that moves.
+// rotorub modes --state-space: prints JSON regardless of other options. If there are several rings,
+// the plant belongs to the first ring that moves.
 int show_state_space(const ModesArguments& options) {
   const scene::Scene scene = read_scene(options.scene, options);
   const Model model = prepare(scene);

@@ -48,7 +48,7 @@ nlohmann::json bifurcation_of(const SweepArguments& options, const Sweep& sweep)
 
 std::string point_folder(std::int64_t point) { return fmt::format("point-{}", point); }
 
-// How the page links to the runs of points.
+// The links from the page to the runs of points.
 PointRuns point_runs(const SweepArguments& options, const Sweep& sweep) {
   PointRuns runs{fmt::format("rotorub sweep {} -o {}", sweep::shell_word(options.study),
                              sweep::shell_word(sweep.folder.string())),

@@ -13,10 +13,9 @@ namespace rotorub {
 // smallest of all contacts, or null, "clearance_of": words for it, "limit": [um] that API 617
 // permits with controlled magnetic bearings, or null, "curves": [{"name", "plane": "x", "y", or ""
 // with isotropic planes, "amplitude": [um], "phase": [deg], "peaks": [{"speed", "amplitude",
-// "phase", "factor": AF, or null, "margin": the share of the scene's speed by
-// which API 617 wants it away, or null}]}]} up to top (rad/s). The phase continues beyond half a
-// turn; values without a steady response are null. The result is null if nothing rotates with the
-// spin.
+// "phase", "factor": AF, or null, "margin": the separation that API 617 requires, as a share of the
+// scene's speed, or null}]}]} up to top (rad/s). The phase continues beyond half a turn; values
+// without a steady response are null. The result is null if nothing rotates with the spin.
 nlohmann::json bode_data(const scene::Scene& scene, double top);
 
 // For each critical speed map (stiffness_map.h): {"title", "words": how to read it, "stiffness":

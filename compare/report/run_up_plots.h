@@ -7,7 +7,7 @@
 
 namespace rotorub {
 
-// Whether the spin speed changes by at least a tenth of the highest speed.
+// True if the spin speed changes by at least a tenth of the highest speed.
 bool changes_speed(const Trajectory& run);
 
 // {"t": [s], "speed": [rpm], "amplitude": [[um]], "phase": [[deg]], of 1x and of 2x}:

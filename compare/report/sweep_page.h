@@ -11,7 +11,7 @@
 
 namespace rotorub {
 
-// How the page of a sweep links to the runs of single points.
+// The links from the page of a sweep to the runs of single points.
 struct PointRuns {
   std::string command;  // shell command that runs a point, without the point's number
   std::map<std::int64_t, std::string> kept;  // link to the page of each saved run

@@ -10,9 +10,9 @@
 
 namespace rotorub {
 
-// The verdict on a contact model, or that there is none: without contact there is no force to
-// judge, and if the native run or the controller failed, the contact model is not to blame. The
-// exit code and `Trust` do not depend on it.
+// The words of the verdict on a contact model. They say that there is no verdict if there is no
+// contact, because there is no force to judge, and if the native run or the controller failed,
+// because the contact model is not to blame. The exit code and `Trust` do not depend on this.
 const VerdictWords& verdict_words(const SceneComparison& comparison, const ComparedModel& model);
 
 struct AnswerRow {

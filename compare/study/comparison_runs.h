@@ -22,7 +22,7 @@ namespace rotorub {
 inline constexpr std::size_t kRungs = 3;
 struct Rung {
   Metrics metrics;
-  // Why there are no metrics; empty if there are.
+  // The reason why there are no metrics; empty if there are.
   std::string failed = "there is no run at a smaller step";
 };
 using Ladder = std::array<Rung, kRungs>;  // [0] is unused, because the side holds its figures
@@ -58,9 +58,9 @@ struct Contestant {
 inline constexpr double kNativeWork = 1.0;
 inline constexpr double kLadderWork = 20.0;  // work of the ladder of modes, in the same unit
 
-// Why MuJoCo's cone cannot run the scene, as the rest of a sentence that begins with "its cone";
-// empty if it can. own: the scene is the twin of a user's own machine, which may have any number of
-// pairs.
+// The reason why MuJoCo's cone cannot run the scene, as the rest of a sentence that begins with
+// "its cone"; empty if it can. own: the scene is the twin of a user's own machine, which may have
+// any number of pairs.
 std::string cone_refusal(const scene::Scene& scene, bool own);
 
 // Native, then MuJoCo with the contact model that decides, then with the other models; without
@@ -111,7 +111,7 @@ struct StepTest {
   // One share per figure, in the order of figures() (single_run_intervals).
   std::vector<double> scatter;
 };
-// Whether a run at a quarter of the step is worth its time. It is not if the change from the whole
+// True if a run at a quarter of the step is worth its time. It is not if the change from the whole
 // to half the step is, for every judged figure, within its scatter, or negligible beside the
 // tolerance or beside the difference between MuJoCo and native.
 bool needs_quarter(const Side& side, const Rung& half, const StepTest& test);
@@ -130,7 +130,7 @@ double timed_end(const scene::Run& run, const std::vector<const Side*>& sides);
 void time_runs(Runner& runner, const std::vector<Contestant>& all, int repeats,
                std::shared_ptr<const CommandRecord> commands);
 
-// Whether a controller of the scene commands its actuator. Without one there is nothing to replay,
+// True if a controller of the scene commands its actuator. Without one there is nothing to replay,
 // and replay equals lockstep.
 bool has_commands(const scene::Scene& scene);
 

@@ -99,7 +99,7 @@ class Comparison {
   }
 
  private:
-  // Whether each MuJoCo run has its own native run.
+  // True if each MuJoCo run has its own native run.
   bool replays() const { return options_.mode == CompareMode::kReplay && result_.commands; }
   bool resyncs() const { return options_.mode == CompareMode::kResync; }
   const Contestant& native() const { return all_[0]; }
@@ -229,7 +229,7 @@ class Comparison {
     result_.decider_twins = static_cast<int>(decider_twins_.metrics.size());
   }
 
-  // Whether further twins would not change any verdict on a model.
+  // True if further twins would not change any verdict on a model.
   bool is_settled(const ComparedModel& m, const Twins& natives, const Twins& others) const {
     const Side& native = result_.reference(m);
     if (native.trajectory.status != Status::kOk || m.run.trajectory.status != Status::kOk)

@@ -23,7 +23,7 @@
 
 namespace rotorub {
 
-// How the two sides of a comparison are coupled.
+// The coupling between the two sides of a comparison.
 enum class CompareMode {
   kLockstep,  // each side closes its own loop
   // The commands of MuJoCo's actuators drive the native side, so the difference comes from the
@@ -104,8 +104,8 @@ struct ShadowColumn {
 // MuJoCo with one contact model, compared with the native run.
 struct ComparedModel {
   Side run;
-  // In replay with commands, the native run under the commands of this run, but for the model that
-  // decides, which commands SceneComparison::native. Otherwise empty.
+  // In replay with commands: the native run under the commands of this run. Empty for the model
+  // that decides, because its commands drive SceneComparison::native, and in every other mode.
   std::optional<Side> native;
   std::vector<FigureDifference> figures;  // in the order of figures()
   std::optional<Resync> resync;           // only in resync, where it determines the trust
@@ -127,7 +127,7 @@ struct SceneComparison {
   // to come from the contact, and every verdict is undecidable. Otherwise empty.
   std::string omission;
   CompareMode mode = CompareMode::kLockstep;
-  // Whether a controller commands the actuator; otherwise replay equals lockstep.
+  // True if a controller commands the actuator; otherwise replay equals lockstep.
   bool commands = false;
   double tolerance = 0.0;
   int twins = 0;          // of the native run, as many as were needed
@@ -155,7 +155,7 @@ struct SceneComparison {
   bool within() const { return !models.empty() && models.front().within(); }
 };
 
-// Whether none of the runs has this figure.
+// True if none of the runs has this figure.
 bool is_absent(const SceneComparison& comparison, const Figure& figure);
 
 // Throws what the engines throw, and MeasuredError if the record does not fit the runs. An

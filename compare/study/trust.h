@@ -49,7 +49,7 @@ JudgedFigure judged(const Figure& figure, const FigureSample& native, const Figu
 JudgedFigure judged(const Figure& figure, double native, double other,
                     double tolerance);  // without twins
 
-// Whether further twins would not change the verdict: the interval is at most half of the distance
+// True if further twins would not change the verdict: the interval is at most half of the distance
 // from the tolerance, or the figure is not judged.
 bool is_settled(const JudgedFigure& figure, double tolerance);
 
@@ -74,7 +74,7 @@ enum class Trust {
   kUndecidable    // no figure is outside or within
 };
 
-// How the verdict on a contact model is written.
+// The words of a verdict on a contact model.
 struct VerdictWords {
   const char* word;  // "averages only"
   Tone tone;
@@ -85,7 +85,7 @@ const char* to_string(Trust trust);
 
 Trust trust(const std::vector<JudgedFigure>& figures);
 
-// The judged figures that are outside, by falling deviation, and those that are undecidable.
+// The judged figures that are outside, in order of decreasing deviation, and the undecidable ones.
 std::vector<JudgedFigure> outside(const std::vector<JudgedFigure>& figures);
 std::vector<JudgedFigure> undecidable(const std::vector<JudgedFigure>& figures);
 

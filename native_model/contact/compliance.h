@@ -39,7 +39,7 @@ struct CompliantLaw {
   // attained is therefore 0.01.
   static constexpr double kMostRebound = 100.0;
   static double rebound_of(double restitution);
-  // m/s; slower touches have the a of this speed.
+  // m/s; a slower touch has the same a as a touch at this speed.
   static constexpr double kLeastSpeed = 1e-4;
 
   double stiffness = 0.0, exponent = 1.0;  // N/m^n, n

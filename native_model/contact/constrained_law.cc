@@ -13,7 +13,7 @@ constexpr double kLocal = 1e-4;     // size of later trials, relative to the imp
 constexpr double kRelative = 1e-9;  // tolerance, relative to the rates that are to be changed
 constexpr double kFarOff = 1e-2;    // relative error above which the slopes are found anew
 
-// How many numbers each contact has in a vector.
+// The number of rows that each contact has in a vector.
 Eigen::Index rows_of(const ContactVector& v, std::span<const ImpactLaw> laws) {
   return v.size() / static_cast<Eigen::Index>(laws.size());
 }

@@ -36,7 +36,7 @@ class CoupledProblem {
   // one, for any order of the contacts.
   Cases all_closed(const Cases& cases, const CoupledSolution& s) const;
 
-  // The cases that follow from p: those of the projections of p - y / (mobility of the contact
+  // The cases that follow from p: the cases of the projections of p - y / (mobility of the contact
   // itself) onto the sets.
   Cases cases_of(const ContactVector& p) const;
 

@@ -61,8 +61,8 @@ struct SolvedCases {
   Cases cases{};
 };
 
-// Tries all combinations of cases. Of solutions with the same motion the one with the least
-// impulses counts; of several motions the first.
+// Tries all combinations of cases. If several solutions have the same motion, it keeps the solution
+// with the least impulses; if there are several motions, it keeps the first.
 SolvedCases by_cases(const CoupledProblem& problem) {
   SolvedCases found;
   CoupledSolution& best = found.solution;

@@ -1,9 +1,10 @@
 // Kinematics of a disc in a ring, with d from the ring's centre to the rotor's centre:
 //   delta = |d|, e_r = d / delta, e_t = e_z x e_r
 //   g_N = delta_0 - delta,  gdot_N = -e_r . ddot,  gdot_T = e_t . ddot + r Omega_c - R Omega_r
-// (5)-(8) of Chavez and Ulbrich, whose equations all comments cite by these numbers. A dot stands
-// for one derivative by time: ddot is d'. Here R = r + delta_0, and Omega_r is the speed of a ring
-// that turns. `spin` below is Omega_c - (R/r) Omega_r.
+// These are (5)-(8) of Chavez and Ulbrich; all comments cite the equations of that paper by its
+// numbers (native_model/docs/theory.md). A dot stands for one derivative with respect to time: ddot
+// is d'. Here R = r + delta_0, and Omega_r is the speed of a ring that turns. `spin` below is
+// Omega_c - (R/r) Omega_r.
 #pragma once
 
 #include <Eigen/Core>

@@ -68,10 +68,10 @@ inline double slip_before(const LastingContact& c) {
   return std::abs(slip) <= kNoSlip * c.radius * std::abs(c.start.z()) ? 0.0 : slip;
 }
 
-// Finds the impulses and the slip signs of the contacts, which it stores in them. h: s. A single
-// contact must have a path that ends outside the circle. Returns kNoSolution and
-// kAmbiguous in Painleve's cases. With several contacts it returns kStepTooLarge if one whirls so
-// far within the step that the normals have no unique solution, whatever the law.
+// Finds the impulses and the slip signs of the contacts and stores them in the contacts. h: s. The
+// path of a single contact must end outside the circle. Returns kNoSolution or kAmbiguous in
+// Painleve's cases. With several contacts it returns kStepTooLarge if one whirls so far within the
+// step that the normals have no unique solution, whatever the law.
 Status solve_lasting_contacts(double h, std::span<LastingContact> contacts,
                               const ContactAdmittance& admittance);
 

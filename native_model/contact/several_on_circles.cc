@@ -63,8 +63,8 @@ class SeveralOnCircles {
   Status solve();
 
  private:
-  // How the friction of a contact is found: from the slip (Coulomb's set), or as a ratio to the
-  // normal impulse.
+  // The friction of a contact: it follows from the slip (Coulomb's set), or it is a given ratio to
+  // the normal impulse.
   struct Friction {
     double bound = 0.0;  // mu
     bool given = false;

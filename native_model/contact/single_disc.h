@@ -31,7 +31,7 @@ struct SingleDisc {
   Eigen::Vector3d p{0.0, 0.0, 0.0}, y{0.0, 0.0, 0.0};
 };
 
-// Whether to go on after the first solution, to count the others.
+// kFirst: stops at the first solution. kAll: also counts the others.
 enum class Solutions { kFirst, kAll };
 
 // a: symmetric, positive semidefinite. A tangential direction without motion gets a tiny mobility.

@@ -11,9 +11,10 @@
 
 namespace rotorub {
 
-// How a flight begins. If it begins on the circle, F = |d|^2 - delta_0^2 has a known root at its
-// start (location.h): a single root after an impact (gap 0), a double root if contact ends by a
-// jump of the loads (gap and gap rate 0), a triple root after a lift-off (gap acceleration 0 too).
+// A flight begins in one of these ways. If it begins on the circle, F = |d|^2 - delta_0^2 has a
+// known root at its start (location.h): a single root after an impact (gap 0), a double root if
+// contact ends by a jump of the loads (gap and gap rate 0), a triple root after a lift-off (gap
+// acceleration 0 too).
 enum class Departure { kInside = 0, kRebound = 1, kParting = 2, kLiftOff = 3 };
 
 struct ContactState {
@@ -63,11 +64,11 @@ struct MarginScales {
   double cone(Mode mode) const { return mode == Mode::kSlide ? speed : force; }
 };
 
-// Which end a phase has when a margin is reached.
+// The end of a phase when one of its margins is reached.
 enum class PhaseEnd { kOpens, kSlipStops, kSlipBegins };
 PhaseEnd end_of_phase(Mode mode, const Margins& margins, const MarginScales& scales);
 
-// The event of a change from one state to the next; empty if it is none.
+// The event that a change from one state to the next is; empty if the change is not an event.
 std::optional<EventKind> event_between(const ContactState& from, const ContactState& to);
 
 }  // namespace rotorub

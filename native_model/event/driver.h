@@ -55,11 +55,11 @@ class EventIntegrator {
   }
   // The states of the contacts at the present time, and within the next stretch.
   const Phase& phase() const { return phase_; }
-  // The state at a time within the stretch, before the event at its end; the present state. Both
-  // are valid until the next call.
+  // within() returns the state at a time within the stretch, before the event at its end; here()
+  // returns the present state. A result is valid until the next call of either.
   Snapshot within(double t);
   Snapshot here();
-  // N s, normal impulse of a contact up to one of these, including its impacts.
+  // N s, normal impulse of a contact up to a snapshot of within() or here(), impacts included.
   double normal_impulse(const Snapshot& at, std::size_t contact) const {
     return observer_.normal_impulse(at, contact);
   }

@@ -53,8 +53,8 @@ EventImpact::Outcome EventImpact::at_once(Motion& motion, std::span<const Closed
     without_rebound = without_rebound || contact.impact_time() > 0.0;
     approach = std::max(approach, -c.point.gap_rate);
   }
-  // At the end of an accumulation no contact rebounds: neither the one that closes nor those that
-  // it would open.
+  // At the end of an accumulation no contact rebounds: neither the contact that closes nor any
+  // contact that it would open.
   const bool is_last = approach < parameters_->zeno_velocity_threshold;
   if (without_rebound || is_last) {
     for (ImpactLaw& law : laws) law = {law.friction, 0.0, 0.0};

@@ -27,9 +27,11 @@ class Observer {
   // The state at a time within a step, and at the present time. Valid until the next call.
   Snapshot within(const Motion& from, SmoothStep& step, Constraint& constraint, double t);
   Snapshot snapshot(double t, const double* y);
-  // N s, normal impulse of a contact up to one of these, including its impacts.
+  // N s, normal impulse of a contact up to this snapshot, including its impacts. `at` must come
+  // from within() or snapshot(), because the integrals are read behind its q and v.
   double normal_impulse(const Snapshot& at, std::size_t contact) const;
-  // The force of a compliant contact begins, and ends; the record of an impact covers all between.
+  // Call them when the force of a compliant contact begins and when it ends. The time between is
+  // recorded as one impact.
   void begin_touch(const Motion& motion, const ClosedContact& at);
   void release(const Motion& motion, const ClosedContact& at);
   void update_energy_scale(const Motion& motion);
@@ -48,7 +50,7 @@ class Observer {
  private:
   ContactSnapshot snapshot_of(std::size_t contact, double t, const double* y) const;
   double normal_impulse(const Motion& motion) const;   // N s, lasting contact, all contacts
-  double contact_work(const Motion& motion) const;     // J, on the coordinates, the same
+  double contact_work(const Motion& motion) const;     // J, on the coordinates, likewise
   double prescribed_speed(std::size_t contact) const;  // m/s, of a surface with prescribed speed
   void follow(std::size_t contact, const Motion& from, SmoothStep& step, double last);
   void follow_mark(const Motion& from, SmoothStep& step, Constraint& constraint, double now);
@@ -61,8 +63,8 @@ class Observer {
   Phase* phase_;
   Recorder* recorder_ = nullptr;
   std::vector<double> row_, slope_;
-  // For each contact, what the integrals do not contain: impacts, time in contact, s, full passes,
-  // peak force.
+  // For each contact, the figures that the integrals do not contain: impacts, time in contact (s),
+  // full passes, peak force.
   std::vector<ContactStatistics> of_contacts_;
   // For each compliant contact that has a force.
   struct Touch {

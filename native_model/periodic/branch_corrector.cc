@@ -25,7 +25,7 @@ std::string events_of(const MotionRecord& motion) {
     impacts = from == Mode::kFree ? impacts + 1 : 0;
     if (from == Mode::kFree) events += {digit, 'i'};
     if (to == from) continue;
-    // The number of impacts in an accumulation is no property of the motion.
+    // The number of impacts in an accumulation is not a property of the motion.
     if (impacts >= kLeastAccumulation) {
       events.resize(events.size() - 2 * impacts);
       events += {digit, 'a'};

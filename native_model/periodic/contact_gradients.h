@@ -1,5 +1,5 @@
-// Gradients of the gap, the gap rate and the slip of a contact by the state y = (q, v), from
-// (5)-(8) in contact/kinematics.h. With J of the contact, (d', spin) = J v:
+// Gradients of the gap, the gap rate and the slip of a contact with respect to the state y = (q,
+// v), from (5)-(8) in contact/kinematics.h. With J of the contact, (d', spin) = J v:
 //
 //   dg_N = -e_r . dd
 //   dgdot_N = -e_r . ddv - (e_t . d') / delta (e_t . dd)

@@ -14,17 +14,20 @@ namespace rotorub::periodic {
 namespace {
 
 constexpr int kMostRefinements = 40;
-constexpr double kRefined = 1e-11;      // of the arclength between two points
-constexpr double kZero = 1e-11;         // of a test function
-constexpr double kGrazingWidth = 1e-6;  // of the arclength between two points
+constexpr double kRefined = 1e-11;      // relative to the arclength between two points
+constexpr double kZero = 1e-11;         // a test function below this counts as 0
+constexpr double kGrazingWidth = 1e-6;  // relative to the arclength between two points
 constexpr double kReal = 1e-9;          // relative; smaller imaginary parts count as 0
 
 // Number of corrections by Newton's method with the derivative of a nearby point.
 constexpr int kFewCorrections = 7, kManyCorrections = 12;
-constexpr double kOfLastStep = 0.999;  // of the distance to the end of the range
-constexpr double kBeyond = 0.05;  // of the first step, where the events of the next motion are seen
+constexpr double kOfLastStep = 0.999;  // length of the last step / distance to the range's end
+// At this share of the first step beyond a point, the events of the motion there are examined.
+constexpr double kBeyond = 0.05;
 
-constexpr double kOnCircle = 1e-7;  // multipliers of undamped motions stay on the circle
+// A multiplier counts as outside the unit circle only beyond 1 + kOnCircle, because the multipliers
+// of undamped motions lie on it.
+constexpr double kOnCircle = 1e-7;
 
 using Complex = std::complex<double>;
 

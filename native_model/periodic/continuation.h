@@ -4,8 +4,8 @@
 //   P(x, T, p) - x = 0,  (phase condition, if autonomous),  tangent . (X - X_predicted) = 0,
 //
 // so that the branch is followed around its folds and where it is unstable. Between two points of
-// the branch the multipliers tell what has happened (Y. A. Kuznetsov,
-// Elements of Applied Bifurcation Theory, 2004):
+// the branch the multipliers show what has happened (Y. A. Kuznetsov, Elements of Applied
+// Bifurcation Theory, 2004):
 //
 //   fold             dp/ds changes its sign; a multiplier passes +1
 //   branching        a real multiplier passes +1 without a fold

@@ -1,5 +1,5 @@
-// The part of the state that determines a motion. Some entries of y = (q, v) do not act back on
-// any other: the angle of a rotor on which nothing is fixed to the rotor, the angle of a ring that
+// The part of the state that determines a motion. Some entries of y = (q, v) do not act back on any
+// other: the spin angle if no load or eccentricity is fixed to the rotor, the angle of a ring that
 // turns, and the coordinates whose rates are the states (bristles, integrators, coils; see
 // model/model.h). A motion is periodic if all other entries return.
 #pragma once

@@ -26,7 +26,7 @@ constexpr double kStepError = 3e-11;
 constexpr int kMostParts = 64;
 constexpr double kFalls = 0.1;
 constexpr double kRoundOff = 3e-15;
-// Relative to the speeds; surfaces that are met more slowly are grazed.
+// Relative to the speeds; an event whose surface is reached more slowly counts as grazing.
 constexpr double kGrazing = 1e-10;
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The derivative of a motion's end by its start, along a recorded motion (motion_record.h). With w
-// the change of the state y = (q, v) by a small change of the start:
+// The derivative of a motion's end with respect to its start, along a recorded motion
+// (motion_record.h). With w the change of the state y = (q, v) by a small change of the start:
 //
 //   smooth stretch   w' = (df/dy) w,  f the field of the contacts' states (event/phase.h), by
 //                    central differences of fourth order of DOP853 steps along w: a step has a
@@ -46,8 +46,8 @@ class FlowDerivative {
   Eigen::MatrixXd along(const MotionRecord& motion, const Eigen::MatrixXd& directions);
   // y' at t (s) for contacts in these states, 2 nq values.
   Eigen::VectorXd slope(double t, const std::vector<double>& y, const ContactStates& states);
-  // True if an event of the last motion grazes: its surface is met without speed, so the derivative
-  // does not exist there.
+  // True if an event of the last motion grazes: the motion reaches its surface without speed, so
+  // the derivative does not exist there.
   bool grazes() const { return grazes_; }
 
  private:

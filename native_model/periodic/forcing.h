@@ -1,7 +1,7 @@
 // The loads that drive a motion, which decide the periods it may have. With the spin held,
 // everything that turns with the rotor has the frequency Omega; forces of [[force]] have their own.
-// If all frequencies are multiples of one, the period of the loads is known. A machine on which
-// nothing depends on time is autonomous: the period of its motions is unknown. If its spin is free
+// If all frequencies are multiples of one, the period of the loads is known. A system without
+// explicit time dependence is autonomous: the period of its motions is unknown. If its spin is free
 // and something is fixed to the rotor, the spin angle grows by whole turns in a period.
 #pragma once
 

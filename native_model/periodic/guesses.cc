@@ -15,7 +15,8 @@ namespace rotorub::periodic {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-// A return to the start of the model is looked for in this many turns at its whirl speed.
+// A return to the start of the model is searched for within this number of turns at its whirl
+// speed.
 constexpr double kTurnsWatched = 3.0;
 // Distances of returns to the state, relative to its sizes.
 constexpr double kAboutAsClose = 3.0, kClose = 2e-3;
@@ -52,9 +53,10 @@ double whirl_speed(const Model& m, const State& at) {
   return largest;
 }
 
-// s, the time after which a motion comes back closest to its state at `at`, within `longest` (s):
-// it passes the plane through that state, across its velocity, in the same sense. The first of the
-// passes that come about as close as the closest one counts. 0 if there is none.
+// s, the time after which a motion returns closest to its state at `at`, within `longest` (s). A
+// return is a pass, in the same sense, through the plane that contains the state and is normal to
+// its velocity. The first pass that is about as close as the closest one counts. 0 if there is
+// none.
 double return_time(const Model& m, const State& at, double longest,
                    const EventParameters& parameters, const TurningFrame& frame) {
   const MotionRecord motion = record_motion(m, at, at.t + longest, parameters);

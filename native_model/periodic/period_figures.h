@@ -10,7 +10,7 @@ namespace rotorub::periodic {
 
 // Figures of one contact in a period.
 struct ContactFigures {
-  double mean_force = 0.0;       // N, normal impulse of the period, with its impacts / period
+  double mean_force = 0.0;       // N, normal impulse (impacts included) / period
   double largest_force = 0.0;    // N, normal force outside rigid impacts
   double largest_impulse = 0.0;  // N s, normal, of one rigid impact
   int impacts = 0;               // rigid impacts and touches of a compliant contact

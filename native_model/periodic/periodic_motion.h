@@ -34,7 +34,7 @@ enum class SearchStatus {
 };
 const char* to_string(SearchStatus status);
 
-// Where a search begins.
+// The start of a search.
 struct Guess {
   State start;          // its time decides the phase of the loads; at least Forcing::settled
   double period = 0.0;  // s
@@ -54,7 +54,8 @@ struct PeriodicMotion {
   double frame = 0.0;  // rad/s, speed of the frame in which it repeats; 0: at rest
   double residual = 0.0;
   int iterations = 0;
-  // By falling size. Sliding and sticking in the period make some of them 0 up to round-off.
+  // In order of decreasing magnitude. Sliding and sticking in the period make some of them 0 up to
+  // round-off.
   std::vector<std::complex<double>> multipliers;
   bool stable = false;  // see is_stable
   bool found() const { return status == SearchStatus::kFound; }
@@ -63,8 +64,8 @@ struct PeriodicMotion {
 PeriodicMotion find_periodic_motion(const Model& model, const Guess& guess,
                                     const SearchParameters& parameters = {});
 
-// The Floquet multipliers of a derivative at a periodic motion, by falling size; of an autonomous
-// one without the multiplier nearest to 1.
+// The Floquet multipliers of a derivative at a periodic motion, in order of decreasing magnitude.
+// If the motion is autonomous, the multiplier nearest to 1 is left out.
 std::vector<std::complex<double>> floquet_multipliers(const ReturnDerivative& derivative,
                                                       bool autonomous);
 

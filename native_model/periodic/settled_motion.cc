@@ -16,13 +16,13 @@ namespace {
 // Relative to the sizes of the state.
 constexpr double kNear = 0.05;         // a run that comes back this closely may have settled
 constexpr double kCertain = 1e-3;      // more periods need not be tried
-constexpr double kAsClose = 3.0;       // the first of the returns about as close as the closest
-constexpr double kFarthest = 0.2;      // between the run and the motion
-constexpr double kReturnError = 1e-7;  // of a run over three periods
+constexpr double kAsClose = 3.0;       // times the least distance: returns that count as close
+constexpr double kFarthest = 0.2;      // largest distance between the run and the motion
+constexpr double kReturnError = 1e-7;  // largest error of a run over kPeriodsRun periods
 constexpr int kPeriodsRun = 3;
 // A derivative takes about as long as this number of stretches for each stretch and direction.
 constexpr int kStretchesOfDirection = 4;
-constexpr int kLeastDerivatives = 3;  // for which Newton's method begins
+constexpr int kLeastDerivatives = 3;  // Newton's method begins if at least these are affordable
 
 // One instant of a run at which it is checked.
 class Check {
@@ -46,7 +46,7 @@ class Check {
         continue;
       }
       Return back = map_->at(begun.guess.start, begun.guess.period, begun.guess.turns);
-      // The guess was followed for about as long.
+      // Finding the guess took about twice as many.
       stretches_ += 3 * static_cast<std::int64_t>(back.motion.stretches.size());
       closest = std::min(closest, back.residual);
       candidates.push_back({n, begun.guess, back.residual, back.motion.stretches.size()});
@@ -157,7 +157,7 @@ class Check {
   const SettlingParameters* parameters_;
   SettledMotion found_;
   double nearest_ = kInfinity;
-  std::string why_;  // there is no guess
+  std::string why_;  // reason if there is no guess
   std::int64_t stretches_ = 0;
 };
 

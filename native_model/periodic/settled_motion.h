@@ -27,11 +27,11 @@ struct SettlingParameters {
 struct SettledMotion {
   std::string refusal;  // the reason why there is none, or empty
   PeriodicMotion motion;
-  // Periods of the loads, or turns of a free spin, in one period; 0 if nothing depends on time.
+  // Periods of the loads, or turns of a free spin, in one period; 0 in an autonomous system.
   int order = 0;
-  double run_time = 0.0;      // s, at which the run was as near as needed
+  double run_time = 0.0;      // s, time at which the run was near enough to the motion
   double return_error = 0.0;  // of a run over three periods, relative to the sizes of the state
-  std::optional<State> last;  // of a run that moves on without a period that was found
+  std::optional<State> last;  // last state, if the run keeps moving and no period was found
   bool found() const { return refusal.empty(); }
 };
 

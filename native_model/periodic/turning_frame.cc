@@ -39,7 +39,7 @@ TurningFrame::TurningFrame(const Model& m) : speed_(speed_of_loads(m)), layout_(
   if (speed_ != 0.0 && (has_states || !is_symmetric(m))) speed_ = 0.0;
 }
 
-// Tries it: the turned state has the turned acceleration.
+// Tests it on one state: the acceleration must turn with the state.
 bool TurningFrame::is_symmetric(const Model& m) const {
   constexpr double kAngle = 0.7, kSame = 1e-9;
   const double angle = std::copysign(kAngle, speed_);

@@ -30,7 +30,7 @@ struct Reached {
 // The impacts of a step, kept until after the next one.
 struct Hits {
   std::vector<Impact> impacts;
-  double work = 0.0, lasts = 0.0;  // J; s, duration of an impact that takes time
+  double work = 0.0, lasts = 0.0;  // J; s: the duration of an impact that takes time
   explicit Hits(std::size_t most) { impacts.reserve(most); }
   void keep(const FixedStep& done) {
     impacts.assign(done.impacts.begin(), done.impacts.end());

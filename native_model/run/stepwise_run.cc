@@ -31,7 +31,7 @@ const scene::Scene& checked(const scene::Scene& scene) {
   return scene;
 }
 
-// Whether the scene leaves the ring's command to others.
+// True if the scene leaves the ring's command to the caller.
 bool is_left_to_others(const std::optional<scene::Controller>& controller) {
   if (!controller || controller->kind == scene::ControllerKind::kLibrary) return true;
   return controller->kind == scene::ControllerKind::kPassive && controller->stiffness == 0.0 &&

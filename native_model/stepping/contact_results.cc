@@ -1,4 +1,5 @@
-// What the contacts did in a fixed step (step_contacts.h), and the results of a step in two parts.
+// Records the results of the contacts in a fixed step (step_contacts.h), also if the step is taken
+// in two parts.
 #include "native_model/stepping/step_contacts.h"
 
 namespace rotorub {
@@ -37,7 +38,7 @@ void StepContacts::restore_whole_step(const States& mean) {
   record_lasting();
 }
 
-// ------------------------------------------------------------------ what the step did
+// ------------------------------------------------------------------ results of the step
 void StepContacts::record_lasting() {
   has_results_ = true;
   for (std::size_t i = 0; i < count(); ++i) {

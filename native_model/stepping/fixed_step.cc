@@ -6,7 +6,7 @@
 namespace rotorub {
 namespace {
 
-// rad/s, spin speed if a machine holds it, which then exchanges work too; otherwise 0.
+// rad/s, spin speed if a motor holds it, which then exchanges work too; otherwise 0.
 double prescribed_spin(const Model& m) { return m.layout.spin ? 0.0 : m.speed; }
 
 }  // namespace

@@ -52,9 +52,9 @@ struct FixedStep : ContactStep {  // the base is the first contact
 Impact impact_of(double t, const Eigen::Vector2d& impulses, const Eigen::Vector2d& before,
                  const Eigen::Vector2d& after, std::size_t contact = 0);
 
-// J, work on the coordinates: of impacts, and of the lasting impulses of a step, from the mean of
-// the rates (ddot, spin) at its two ends. If a machine holds the spin speed, the share of the work
-// that it exchanges is excluded.
+// J, work on the coordinates: impact_work() of the impacts, lasting_work() of the lasting impulses
+// of a step, with the mean of the rates (ddot, spin) at its two ends. If a motor holds the spin
+// speed, the work that the motor exchanges is excluded.
 double impact_work(const Model& m, std::span<const Impact> impacts);
 double lasting_work(const Model& m, std::size_t contact, const Eigen::Vector2d& e_r,
                     const Eigen::Vector2d& impulses, const Eigen::Vector3d& mean_rates);

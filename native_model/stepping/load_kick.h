@@ -53,7 +53,7 @@ class LoadKick {
     }
     loads_.for_each_kept(action);
   }
-  static std::size_t count_kept(const Model& m) {  // how many they are
+  static std::size_t count_kept(const Model& m) {  // number of these calls
     return (m.coupled_mass() ? 2 * m.unbalances.size() : 0) + SteppedLoads::count_kept(m);
   }
   // Call it when the step numbers start again, or after the saved numbers have been written.
@@ -68,12 +68,12 @@ class LoadKick {
   // contact follows.
   void free_velocity(StepState& state, std::int64_t k, double begin, double t,
                      bool defer_iteration = false);
-  // The same as if the switched loads between `begin` and `end` held for the whole step.
+  // The same for a whole step in which the switched loads act as they do between `begin` and `end`.
   void free_velocity_of_part(StepState& state, double begin, double end);
 
-  // Turns v_free, computed under the commands `before` and otherwise for the same step, into that
-  // of the present commands; v_end is then equal to it. Returns false, and changes nothing, if the
-  // commands act on more than the velocities of their rings.
+  // Changes v_free of this step from the commands `before` to the present commands; v_end is then
+  // equal to it. Returns false, and changes nothing, if the commands act on more than the
+  // velocities of their rings.
   bool exchange_commands(StepState& state, const Commands& before);
 
   // Iterates v_free; v_end is then equal to it.

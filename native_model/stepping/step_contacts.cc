@@ -81,7 +81,7 @@ Eigen::Vector3d StepContacts::rates(std::size_t i, const double* v) const {
   return contact_rates(m_, v, i);
 }
 
-// ------------------------------------------------------------------ what a load does
+// ------------------------------------------------------------------ response to a load
 // Updates the admittance to the coupling of bending and spin in this step.
 void StepContacts::update_admittance() {
   const Layout& l = m_.layout;

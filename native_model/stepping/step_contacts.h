@@ -99,7 +99,7 @@ class StepContacts {
   // Call it after the second part: the impulses become the weighted sum of both parts. kick_length:
   // in steps.
   void join_parts(double share, double rest, const States& first, double kick_length);
-  // Goes back to the states of the step as one, under its mean loads.
+  // Restores the states that the whole step had under its mean loads.
   void restore_whole_step(const States& mean);
 
   // Call it before impacts change v_end.
@@ -112,8 +112,8 @@ class StepContacts {
   // with the normal of the step.
   void add_velocity_change(std::size_t i, double normal, double friction, double* to) const;
 
-  // The numbers that are kept between steps: for_each_kept() has those that precede the state in a
-  // saved memory, for_each_force_kept() all others.
+  // Both call action for numbers that are kept between steps: for_each_kept() for the two numbers
+  // that precede the state in a saved memory, for_each_force_kept() for all others.
   template <class Action>
   void for_each_kept(Action& action) {
     keep_flag(states[0].closed, action);
@@ -132,7 +132,7 @@ class StepContacts {
       if (!contacts_[i].rigid) action(c.hunt_crossley);
     }
   }
-  static std::size_t count_kept(const Model& m) {  // how many numbers both have
+  static std::size_t count_kept(const Model& m) {  // number of calls of both
     std::size_t numbers = 0;
     for (const AuxiliaryBearing& bearing : m.auxiliary) numbers += bearing.is_compliant() ? 5U : 4U;
     return numbers;

@@ -30,7 +30,8 @@ struct StepState {
   // The velocities of the kick: at its start, t_{k-1/2} (t_0 in a first step); at its end,
   // t_{k+1/2}, with all loads but without contact; at its end with everything.
   Coordinates v_start, v_free, v_end;
-  // Duration of the kick in steps: 1, or 1/2 in a first step.
+  // Duration of the kick in steps while the contacts are solved: 1, or 1/2 in a first step. At all
+  // other times it is 1, because a first kick is computed in full and then halved (verlet.cc).
   double kick_length = 1.0;
   Status status = Status::kOk;  // with any other status q and v stay unchanged
 

@@ -40,7 +40,7 @@ class SteppedLoads {
   }
 
   void forget() { now_ = -1; }
-  // The numbers that are kept between steps.
+  // Calls action for every number that is kept between steps.
   template <class Action>
   void for_each_kept(Action& action) {
     for (Load& load : loads_) {
@@ -49,7 +49,7 @@ class SteppedLoads {
       action(load.sine);
     }
   }
-  static std::size_t count_kept(const Model& model);  // how many they are
+  static std::size_t count_kept(const Model& model);  // number of these calls
 
  private:
   struct Load {

@@ -87,8 +87,9 @@ void VerletStepper::command(std::span<const Eigen::Vector2d> u) {
   std::copy(u.begin(), u.end(), step_->loads.command.begin());
 }
 
-// All numbers that are kept between steps: two of the contact and the origin of time, the state,
-// then those of the loads and of the scheme.
+// Calls action for every number that is kept between steps. saved_q() relies on the beginning: two
+// numbers of the first contact, the origin of time, q, v. The numbers of the loads and of the
+// scheme follow.
 template <class Action>
 void VerletStepper::for_each_kept(Action action) const {
   step_->contacts.for_each_kept(action);

@@ -99,7 +99,8 @@ void VerletStep::velocity_now(std::int64_t k, double* v) {
     return;
   }
   state.peek(deferred_or_null());
-  // In lasting contact the force of the step before makes an error of order h^2 anyway.
+  // The iteration may be omitted in lasting contact, because the contact force of the previous step
+  // already causes an error of order h^2.
   kick(k, iterates_with_contact());
   looked_at_ = k;
   looked_commands_ = loads.command;
@@ -134,10 +135,10 @@ double VerletStep::external_work() {
 }
 
 // ------------------------------------------------------------------ jumps of loads and commands
-// In flight only the mean load over the step matters. In lasting contact the contact force is not
-// that of the mean load: contact ends, or friction reverses, at the instant of the jump. Therefore
-// the velocities of the step are the weighted sum of those that the loads before and after the jump
-// would give if they held throughout,
+// In flight only the mean load over the step matters. In lasting contact the mean load is not
+// enough, because contact may end, or friction reverse, at the instant of the jump. Therefore the
+// step is solved twice, with the loads before the jump and with the loads after it, each held
+// throughout. The velocities of the step are the weighted sum of both solutions,
 //
 //   v_{k+1/2} = s v_before + (1 - s) v_after,   (N, T) likewise,
 //
@@ -159,8 +160,8 @@ void VerletStep::forget_command_jumps() {
 }
 
 // The fraction of the kick from `begin` to `end` (s) before a load or a command jumps in lasting
-// contact; 0: none jumps, or it jumps at an end of the kick. If commands jump at several instants,
-// the first counts; a switched load counts only if no command jumps.
+// contact; 0: nothing jumps, or it jumps at an end of the kick. If commands jump at several
+// instants, the first one counts; a switched load counts only if no command jumps.
 double VerletStep::share_before_jump(double begin, double end) {
   if (!(switches_ || has_command_jumps_) || !contacts.any_rigid_lasts()) return 0.0;
   constexpr double kNone = 2.0;

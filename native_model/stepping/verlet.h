@@ -74,8 +74,8 @@ class VerletStep {
   // J, work of the step's loads on the coordinates.
   double external_work();
 
-  // All numbers that a saved step needs, except the state and those of for_each_kept() of loads and
-  // contacts.
+  // Calls action for the numbers of a saved step that are neither in the state nor visited by
+  // for_each_kept() of the loads and the contacts.
   template <class Action>
   void for_each_kept(Action& action) {
     keep_flag(first_, action);
@@ -84,7 +84,7 @@ class VerletStep {
     for (double& value : deferred_) action(value);
     if (finite_impact_) finite_impact_->for_each_kept(action);
   }
-  // How many numbers a saved step needs, including the state and those of loads and contacts.
+  // The number of all numbers of a saved step, including state, loads and contacts.
   static std::size_t count_kept(const Model& model);
 
  private:

@@ -41,9 +41,9 @@ class ZeroOrderHold {
   // The command that holds after the last call.
   const Eigen::Vector2d& held() const { return held_; }
 
-  // Sets the currents that the sensors see, A, for a model without coordinates for the coils whose
-  // currents lag nevertheless. Otherwise the sensors see the currents of the coils, or the held
-  // ones.
+  // Sets the coil currents (A) that the controller measures. Call it if the currents lag, but the
+  // caller and not the stepper computes them (plugin/contact/verlet.cc). By default the controller
+  // measures the model's coil currents, or the held currents.
   void show_currents(const Eigen::Vector2d& now) { currents_ = now; }
 
   // The complete memory as plain numbers.

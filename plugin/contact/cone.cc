@@ -112,7 +112,7 @@ class ShiftedSolver {
     }
     return force == 0.0 || lift(c) <= kStuck * terms;
   }
-  // Call it if the last solution is that of the pass.
+  // Call it if the last solution is the solution of the pass.
   void keep() { probe_.keep(); }
 
  private:

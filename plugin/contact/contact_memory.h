@@ -80,8 +80,8 @@ const NotedContact& noted_contact(int data);
 
 // Records the results of the contact whose entries begin at `data`: the normal of its force in this
 // pass, in the contact's axes, and the friction on the rotor along the ring's axis, N. The normal
-// of an impact within the step differs from that of the state. Called for `rigid` with a force, and
-// for contacts with friction along the axis.
+// of an impact within the step differs from the normal in the present state. Called for `rigid`
+// with a force, and for contacts with friction along the axis.
 void note_contact(const mjData* d, int data, const Eigen::Vector2d& e_r, double axial = 0.0);
 
 // The memory of a `rigid` contact in mjData.userdata: whether contact lasts, and the impulses of
@@ -102,7 +102,7 @@ class ContactMemory {
     if (!next) EscapeGuard(entry_.status).begin();
   }
 
-  // Whether contact lasted over the previous step. A lasting contact ends on the circle. If the
+  // True if contact lasted over the previous step. A lasting contact ends on the circle. If the
   // centres are closer than that (delta, m), the state was written since.
   bool was_in_contact(double delta) const {
     constexpr double kOnCircle = 0.01;  // gap that a step may leave, as a share of the clearance
@@ -123,7 +123,7 @@ class ContactMemory {
 
   // Records the results. The forces are means over the step.
   void note(const RigidResult& r) {
-    entry_.now = r.mode == Mode::kFree ? 0.0 : 1.0;  // remember_places() puts the distance
+    entry_.now = r.mode == Mode::kFree ? 0.0 : 1.0;  // remember_places() replaces the 1
     entry_.mode = static_cast<double>(r.mode);
     entry_.normal_force = r.normal / h_;
     entry_.friction_force = r.friction / h_;
@@ -165,8 +165,8 @@ struct ContactForces {
   Status status = Status::kOk;  // of the contact laws, for `rigid`
 };
 
-// The contact forces of the last forward pass, after mj_forward or mj_step. With a Config: those of
-// its first contact.
+// The contact forces of the last forward pass, after mj_forward or mj_step: of the pair, or of the
+// first contact of the config.
 ContactForces contact_forces(const Config& config, const mjModel* m, const mjData* d);
 ContactForces contact_forces(const ContactPair& pair, const mjModel* m, const mjData* d);
 

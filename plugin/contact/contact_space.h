@@ -44,9 +44,9 @@ class ContactSpace {
   }
   // The accelerations without the contact, J M^-1 f with f = qfrc_smooth.
   Eigen::Vector3d smooth() const { return product(plain(), d_->qfrc_smooth); }
-  // MuJoCo's solver supplies the normal force of a soft contact. These add what it does not supply
-  // of the load normal + friction: the generalised force, by default J^T friction, and the
-  // acceleration by that force.
+  // MuJoCo's solver supplies the normal force of a soft contact. These functions add the remainder
+  // of the load normal + friction: add_side() adds the generalised force, by default J^T friction,
+  // and add_side_acceleration() the acceleration that it causes.
   virtual void add_side(const Eigen::Vector3d& /*normal*/, const Eigen::Vector3d& friction,
                         mjtNum* to) const {
     add_load(friction, to);
@@ -118,7 +118,7 @@ class ContactSpace {
 // A contact between bodies in contact space, for all contacts that are not on the modal chain:
 // (relative x, relative y, spin) = J qvel along the axes of the contact, z along the ring's axis,
 // with MuJoCo's own Jacobians and mass matrix. The ring may move, tilt and turn. Relative x and y
-// are those of the rotor's centre against the nearest point of the ring's axis, so that a ring that
+// are measured from the nearest point of the ring's axis to the rotor's centre, so that a ring that
 // only turns does not change them. The spin is
 //   Omega - (1 + delta / r) Omega_ring,
 // because the ring's surface is at r + delta from its axis: gdot_T = e_t . (x, y)' + r spin. In

@@ -1,4 +1,5 @@
-// How a rotor and its ring can move and do move relative to each other.
+// The motion of a rotor relative to its ring: the motions that their joints allow, and the present
+// one.
 //
 // If they can move relative to each other along the ring's axis, the contact slips in two
 // directions: along the ring's circle, and along its axis with
@@ -41,7 +42,7 @@ inline auto axes_at(const mjtNum* numbers) {
   return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(numbers);
 }
 
-// Where a contact is, and where its rates are taken.
+// The place of a contact, and the point at which its rates are taken.
 struct ContactPlace {
   const mjtNum* axes;       // frame of the contact, with the columns x, y, z, stored row by row
   mjtNum ring_point[3];     // m, point of the ring's axis nearest to the rotor's centre
@@ -98,16 +99,16 @@ class PassMotion {
   ContactList<PairMotion> all_;
 };
 
-// Whether the rotor can reach the ring within the step at all, by a bound that needs neither
-// Jacobians nor the contact's own matrix. Nearly every step of a flight ends here. It is used for
-// the contacts of a pass, one after the other; the effect of loads and constraints is computed
-// once, when it is first needed. Call it after update_smooth_force.
+// Decides whether the rotor can reach the ring within the step at all, by a bound that needs
+// neither Jacobians nor the contact's own matrix. Nearly every step of a flight ends here. It is
+// used for the contacts of a pass, one after the other; the effect of loads and constraints is
+// computed once, when it is first needed. Call it after update_smooth_force.
 class Reach {
  public:
   Reach(const mjModel* m, mjData* d) : m_(m), d_(d) {}
 
-  // False: the rotor does not reach the ring in this step by any loads and constraints, except
-  // other contacts of the plugin.
+  // False if neither loads nor constraints can bring the rotor to the ring in this step; other
+  // contacts of the plugin are not considered.
   //
   // In the metric of M the loads change the velocities by at most h |f|, |f|^2 = f^T M^-1 f.
   // MuJoCo's constraints, which minimise |a - a_smooth|^2 / 2 + s(J a - aref), change them by at

@@ -79,7 +79,8 @@ class RigidSolver {
     return true;
   }
 
-  // Takes all impulses back, and finds the normals of the closed contacts and which are impacts.
+  // Resets all impulses, and finds the normals of the closed contacts and which of them are
+  // impacts.
   void start_over() {
     for (RigidContact* c : members_) {
       c->lasting_impulse = c->impact_impulse = Eigen::Vector3d::Zero();

@@ -71,8 +71,8 @@ class RigidContacts {
 
   bool any_closed() const;
   bool converged() const { return converged_; }
-  // Where contact k of a subset begins in a vector. A contact has 2 rows, or 3 if a contact moves
-  // along its axis.
+  // The row at which contact k of a subset begins in a vector. Each contact has 2 rows, or 3 if any
+  // contact moves along its axis.
   Eigen::Index row(std::size_t k) const { return rows_ * static_cast<Eigen::Index>(k); }
 
   // Finds the rates at the end of the step with the present impulses.
@@ -105,7 +105,7 @@ class RigidContacts {
   ContactMatrix matrix(const ContactSubset& s) const;
   // Sets the impulses of the subset's part of the step.
   void set_impulses(const ContactSubset& s, const ContactVector& p);
-  // How impulses that act in no time change the subset's rates.
+  // Returns the change of the subset's rates by impulses that act in no time.
   ContactVector instant_change(const ContactSubset& s, const ContactVector& p);
   // Rates at the end of the step in one space; `start`: the rates at its beginning.
   Eigen::Vector3d end_of(const ContactSpace& at, const Eigen::Vector3d& start) const;

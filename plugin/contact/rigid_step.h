@@ -47,7 +47,7 @@ struct RigidResult {
 // Needs h, d, free and bend.
 bool reaches_ring(const RigidStep& step, double clearance);
 
-// Where the step would end without a contact, m, from the ring's centre to the rotor's.
+// m, from the ring's centre to the rotor's: the position at the end of the step without a contact.
 inline Eigen::Vector2d end_of(const RigidStep& step) {
   return step.d + step.h * step.free.head<2>() + step.bend;
 }

@@ -1,6 +1,6 @@
 // The matrix of MuJoCo's step, for single kinematic trees. The mass matrix M consists of one block
-// for each tree, and the degrees of freedom of a tree are consecutive. Trees other than those of
-// rotor and ring cost nothing.
+// for each tree, and the degrees of freedom of a tree are consecutive. Only the trees of rotor and
+// ring are processed.
 #pragma once
 
 #include <mujoco/mujoco.h>

@@ -2,14 +2,14 @@
 // (native_model/stepping/verlet.h) in place of MuJoCo's. MuJoCo's Euler step,
 //   v_{k+1/2} = v_{k-1/2} + H^-1 h f,   q_{k+1} = q_k + h v_{k+1/2},   H = M + h D,
 // is a leapfrog if its velocity is read as the velocity of the middle of the step. The plugin hands
-// MuJoCo a passive force with which v_{k+1/2} is that of `verlet` (damping at the middle of the
-// step, located impacts, the remainder of the last impact). Forces that others put on the chain
-// (passive, applied, actuators, joints edited in the model) act in the native step too.
+// MuJoCo a passive force with which v_{k+1/2} equals the velocity of `verlet` (damping at the
+// middle of the step, located impacts, the remainder of the last impact). Forces that others put on
+// the chain (passive, applied, actuators, joints edited in the model) act in the native step too.
 //
 // All memory is in mjData.userdata: one slot before the step of the present time and one after it,
 // so that repeated passes at one time give the same result. If the state was set from outside, or
-// the time is not the next one, the step starts afresh and takes the velocities as those of the
-// time of the positions.
+// the time is not the next one, the step starts afresh and takes the velocities as simultaneous
+// with the positions.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -29,7 +29,8 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
 struct StepWorks {
   double contact = 0.0, impact = 0.0, external = 0.0;
 };
-// From now on the steps of this thread write their works to `to`; null: they are not computed.
+// From now on each native step of this thread writes its works to `to`. If `to` is null, the works
+// are not computed.
 void tell_works(StepWorks* to);
 
 // --- The memory in userdata (verlet_memory.cc) ---

@@ -15,7 +15,7 @@
 
 namespace rotorub::plugin {
 
-// What MuJoCo asks an actuator for: mjcb_act_gain, mjcb_act_bias, mjcb_act_dyn.
+// The value that MuJoCo requests for an actuator, by mjcb_act_gain, mjcb_act_bias or mjcb_act_dyn.
 enum class ActuatorQuestion : int { kGain, kBias, kRate };
 
 // Begins a pass; called in mjcb_control of d.
@@ -37,8 +37,8 @@ class ActuatorsAside {
 // Replaces mj_fwdActuation in the plugin's own computations.
 void compute_actuators(const mjModel* m, mjData* d);
 
-// For a preloaded library, which stands before MuJoCo's mj_fwdActuation: true if compute_actuators
-// has already done its work. expect_to_stand_before() says that the library is preloaded.
+// For the preloaded library, which replaces MuJoCo's mj_fwdActuation: true if compute_actuators has
+// already done its work. The preloaded library calls expect_to_stand_before() once.
 bool actuators_computed(const mjModel* m, mjData* d);
 void expect_to_stand_before();
 // Call it after mj_step1: the program may edit mjModel before mj_step2, so that the forces must be

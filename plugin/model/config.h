@@ -1,5 +1,5 @@
-// What the plugin knows about one mjModel: the native model of the scene in its custom text, and
-// where the parts of the scene are in MuJoCo's arrays. A Config is constant and shared between
+// The plugin's data about one mjModel: the native model of the scene in its custom text, and the
+// addresses of the scene's parts in MuJoCo's arrays. A Config is constant and shared between
 // threads.
 #pragma once
 

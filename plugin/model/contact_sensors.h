@@ -1,4 +1,4 @@
-// Where the plugin's user sensors are in mjData.sensordata.
+// Finds the plugin's user sensors in mjData.sensordata.
 #pragma once
 
 #include <mujoco/mujoco.h>

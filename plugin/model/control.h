@@ -20,9 +20,9 @@ void write_command(const Config& config, const mjModel* m, mjData* d);
 // status in mjData (ContactEntries::status).
 void controller_failed(mjData* d, const std::string& why);
 
-// While one of these lives in this thread, such a failure is not reported: MuJoCo's compiler makes
-// a forward pass, and would refuse the model. A run finds the failure again in its first step and
-// has a status for it.
+// While one of these objects exists in this thread, controller_failed() reports nothing: MuJoCo's
+// compiler makes a forward pass, and would refuse the model. A run meets the same failure in its
+// first step and ends with a status.
 class WhileCompiling {
  public:
   WhileCompiling();

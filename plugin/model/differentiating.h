@@ -1,4 +1,4 @@
-// Whether this thread takes steps in order to linearise them (plugin/differences.h).
+// Marks a thread that takes steps in order to linearise them (plugin/differences.h).
 #pragma once
 
 namespace rotorub::plugin {

@@ -56,8 +56,8 @@ Segments make_segments(const scene::Scene& scene, const Model& model,
 void native_position(const Segments& segments, const Model& model, const mjtNum* qpos, double* q);
 void native_velocity(const Segments& segments, const Model& model, const mjtNum* qvel, double* v);
 
-// Why the step (s) is too long for MuJoCo, which treats the chain's springs explicitly; empty if it
-// is not.
+// The reason why the step (s) is too long for MuJoCo, which treats the chain's springs explicitly;
+// empty if it is not too long.
 std::string segment_step_refusal(const Segments& segments, double step);
 
 // Adds to d->qfrc_passive the loads that the joints and tendons of the segment rotor do not have by

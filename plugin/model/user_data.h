@@ -26,7 +26,8 @@ struct ContactEntries {
   // The rest is for `rigid` only, except `status`:
   mjtNum time;    // s, of the pass to which `before`, `now` and `status` belong
   mjtNum before;  // m, distance of the centres if contact lasted over the previous step; else 0
-  mjtNum now;     // m, distance of the centres if contact lasts over this step; else 0
+  // m, distance of the centres if contact lasts over this step (1 until remember_places()); else 0
+  mjtNum now;
   // Status of the contact laws, with the bits of EscapeGuard and of solver_watch.cc.
   mjtNum status;
   mjtNum impact;  // 1: the impulses of the step belong to an impact, with these rates
@@ -129,7 +130,7 @@ const double* behind(const Entries& e) {
 // in the pass.
 inline constexpr double kActed = 0.0, kNotActed = -1.0;
 
-// Where the first contact's entries begin, counted from Config::memory. In a user's own model the
+// Index of the first contact's entries, counted from Config::memory. In a user's own model the
 // entries of the further contacts follow.
 inline constexpr int kFirstContact = kEntries<ModelEntries> - kEntries<ContactEntries>;
 

@@ -15,8 +15,7 @@ namespace rotorub::plugin {
 // Returns "<contact><pair geom1=... geom2=...>".
 std::string pair_element(const mjModel* m, const ContactPair& pair);
 
-// Adds to the refusals what in the pair's gap and condim lets MuJoCo's solver do more or less than
-// its share.
+// Adds a refusal if the pair's gap or condim lets MuJoCo's solver do more or less than its share.
 void check_solved_part(const mjModel* m, const ContactPair& pair, Refusals& refusals);
 
 // Adds all that is wrong with the pair of a contact of a user's own model to the refusals. If the

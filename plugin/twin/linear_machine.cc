@@ -127,8 +127,8 @@ void fill_ring_drag(const mjData* start, Turned& turned, const LinearMachine& ma
   contact.bent_drag = std::abs(torque + machine.damping(turn, turn) * speed);
 }
 
-// How much a deflection of one clearance at a contact changes the quantities that are held
-// constant.
+// Fills the changes, at a deflection of one clearance at a contact, of the quantities that the
+// linear machine holds constant.
 void fill_bent(const ContactPair& pair, const LinearContact& contact, Turned& turned, Probe& probe,
                LinearMachine& machine) {
   const double clearance = pair.contact.clearance;

@@ -12,8 +12,8 @@
 //
 // and its centrifugal force is Omega^2 sum J^T r(phi) dm.
 // Because r(phi) = -e_z x r(phi + 90 degrees), b at two angles describes all unbalance: static,
-// dynamic (products of inertia), and that of parts that bend. Columns and rows are MuJoCo's degrees
-// of freedom; units are m and rad, N and N m, kg and kg m^2.
+// dynamic (products of inertia), and the unbalance of parts that bend. Columns and rows are
+// MuJoCo's degrees of freedom; units are m and rad, N and N m, kg and kg m^2.
 #pragma once
 
 #include <mujoco/mujoco.h>

@@ -1,6 +1,6 @@
 // The native model in a page: takes a scene's text and changes to it, and returns the run in the
-// format of the page's scripts. Compiled to WebAssembly (CMakeLists.txt here) and called by
-// page/live_worker.js.
+// format of the page's scripts. It is compiled to WebAssembly (CMakeLists.txt here) and called by
+// page/native.js in the worker page/native_worker.js.
 
 #include <array>
 #include <exception>

@@ -46,7 +46,7 @@ class Quantised {
     for (const auto& column : samples.rate) rates_.push_back(whole(column, track.rate_quantum));
   }
 
-  // Whether the piece between these two samples meets all samples within it.
+  // True if the piece between these two samples is within the tolerance of every sample in it.
   bool holds(std::size_t from, std::size_t to) const {
     for (std::size_t i = from; i <= to; ++i) {
       double square = 0.0;

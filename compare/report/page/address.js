@@ -1,5 +1,5 @@
-// What is shown of a scene, in the page's address: `report.html#scene-1?t=0.107&from=0.1&to=0.12&hide=cone`. A link to a
-// moment, that also survives a reload. t, from, to: s of the run; hide: runs that are not shown.
+// Stores the view of a scene in the page's address: `report.html#scene-1?t=0.107&from=0.1&to=0.12&hide=cone`. Such a link
+// points to a moment and survives a reload. t, from, to: s of the run; hide: runs that are not shown.
 
 export function addressOf(id, {t, range, hidden}) {
   const words = new URLSearchParams({t, from: range[0], to: range[1]});
@@ -7,7 +7,7 @@ export function addressOf(id, {t, range, hidden}) {
   return `#${id}?${words}`;
 }
 
-// Null: the address says nothing of this scene. What it lacks, or what is no number, is undefined.
+// Returns null if the address does not name this scene. A value that is missing or not a number is undefined.
 export function stateIn(hash, id) {
   if (!hash.startsWith(`#${id}?`)) return null;
   const words = new URLSearchParams(hash.slice(id.length + 2));
@@ -18,7 +18,7 @@ export function stateIn(hash, id) {
   return {t: number('t'), from: number('from'), to: number('to'), hidden: new Set(words.getAll('hide'))};
 }
 
-// Writes it a moment after the last change, without a step back for each.
+// Writes the address shortly after the last change, without an entry in the browser's history for each change.
 export class AddressWriter {
   constructor(id) { this.id = id; }
   write(state) {

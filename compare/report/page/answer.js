@@ -1,4 +1,4 @@
-// The answer of a page: its first sentence large, and those that follow it.
+// The answer of a page: its first sentence in large type, then the sentences that follow it.
 import {html} from './html.js';
 
 export const answerOf = ([first, ...others]) => ({class: 'answer', parts: [{markup: html`<p class="sentence">${first.text}</p>`}, ...others]});

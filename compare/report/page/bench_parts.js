@@ -1,7 +1,7 @@
 // The page of a bench.
 import {scenesText} from './answer.js';
 
-const headlineShare = 0.99e-5;  // of the clearance: finer levels are in the tables alone
+const headlineShare = 0.99e-5;  // relative to the clearance; finer levels appear only in the tables
 
 // Green if a native integrator is the fastest at every level that any engine reaches.
 function cardOf({scene, levels, verdict}, id) {

@@ -1,11 +1,11 @@
-// A bifurcation diagram as plotly takes it (compare/report/bifurcation_plot.h): places once a turn over the swept key, up
-// and down, and the largest Lyapunov exponent below them.
+// A bifurcation diagram as a plotly figure (compare/report/bifurcation_plot.h): positions once per turn over the swept key,
+// swept up and down, and below them the largest Lyapunov exponent.
 import {axes, css, decades, layout, legendAbove as legend, short} from './style.js';
 
 const nameOf = (key) => key.name + (key.unit ? ` / ${key.unit}` : '');
 const periodOf = ({period}) => (period === 0 ? 'no period up to 16 turns' : period === 1 ? 'a turn' : `${period} turns`);
 
-// Every place a point, in the order of the values.
+// Returns one point for every position, in the order of the key's values.
 export function places(points) {
   const all = points.flatMap((point) => point.x.map((x) => ({x: point.value, y: x, text: `${short(point.value, 6)}: ${periodOf(point)}`})));
   return {x: all.map((p) => p.x), y: all.map((p) => p.y), text: all.map((p) => p.text)};
@@ -14,7 +14,7 @@ export function places(points) {
 export function bifurcationFigure({key, up, down}) {
   const branch = (points, name, color, symbol, size) => ({...places(points), name, type: 'scatter', mode: 'markers',
     marker: {color: css(color), symbol, size, opacity: 0.8}, hovertemplate: `%{text}<br>x = %{y:.5g} µm<extra>${name}</extra>`});
-  // Open where there is none.
+  // The curve has a gap where there is no exponent.
   const exponent = {x: up.map((p) => p.value), y: up.map((p) => p.exponent), name: 'Lyapunov exponent', showlegend: false, yaxis: 'y2', type: 'scatter',
     mode: 'lines+markers', line: {color: css('--soft'), width: 1, simplify: false},
     marker: {size: 5, color: up.map((p) => css(p.exponent > 0 ? '--bad' : '--good'))},
@@ -32,7 +32,7 @@ const marks = {fold: 'triangle-left', branching: 'cross', 'period doubling': 'di
 const scales = {mean_force: 1, amplitude: 1e6, multiplier: 1};
 const titles = {mean_force: 'mean normal force / N', amplitude: 'deflection / µm', multiplier: 'largest multiplier'};
 
-// Parts of a branch that are stable or unstable throughout; a part begins where the last one ended.
+// Splits a branch into parts that are stable or unstable throughout; a part begins where the previous one ended.
 export function partsOf(points) {
   const parts = [];
   for (const point of points) {
@@ -60,7 +60,7 @@ export function branchesFigure({across, up, branches}, figure) {
     return points.length ? [{x: x(points), y: y(points), text: words(points), type: 'scatter', mode: 'markers', name: kind, legendgroup: kind,
       showlegend: isNew(kind), hovertemplate: hover, marker: {symbol, size: 9, color: colorOf(branch), line: {width: 2, color: colorOf(branch)}}}] : [];
   }));
-  // Rolling presses thousands of times as hard as a rub.
+  // The force in rolling is thousands of times the force in a rub.
   const all = lines.flatMap((line) => line.y), isWide = Math.min(...all) > 0 && Math.max(...all) > 100 * Math.min(...all);
   return {data: [...lines, ...special], layout: layout({hovermode: 'closest', showlegend: true, legend: legend(), margin: {l: 72, r: 24, t: 30, b: 48},
     xaxis: axes({title: {text: nameOf(across), standoff: 6}, zeroline: false}),

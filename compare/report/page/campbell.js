@@ -1,5 +1,5 @@
-// The free rotor over its spin speed as plotly takes it: Campbell diagram with the scene's speed, coloured by damping,
-// damping ratios and logarithmic decrements.
+// Plotly figures of the free rotor over its spin speed: the Campbell diagram with the scene's speed, coloured by damping;
+// damping ratios; and logarithmic decrements.
 import {colourScale} from './scales.js';
 import {axes, css, layout, legendAbove as legend, number, scaleOfColours, shade, short} from './style.js';
 
@@ -30,8 +30,8 @@ const branch = (piece, y, name, line, showlegend) => ({x: piece.speed, y, name, 
 const growing = (campbell, key) => campbell.pieces.filter((piece) => piece.damping.some((d) => d < 0)).map((piece, k) =>
   branch(piece, piece[key].map((y, i) => (piece.damping[i] < 0 ? y : null)), 'growing', {color: css('--bad'), width: 4}, k === 0));
 
-// The colours of the damping ratios (%) of what swings, from weak and dark to strong and light; null if they are all nearly the same.
-// A wide range is divided by its logarithm.
+// The colour scale of the damping ratios (%) of oscillating modes, from weak (dark) to strong (light); null if all ratios are
+// nearly the same. A wide range is divided logarithmically.
 const levels = 8;
 export function dampingScale(pieces) {
   const given = pieces.filter(({sense}) => sense === 'forward' || sense === 'backward').flatMap(({damping}) => damping).filter((ratio) => ratio >= 0);
@@ -41,7 +41,7 @@ export function dampingScale(pieces) {
   return {log, low: from, high: to, level: (ratio) => Math.min(levels - 1, Math.max(0, Math.floor(levels * (place(ratio) - from) / (to - from))))};
 }
 
-// The stretches of a piece by their level: a curve for each, open in between.
+// Splits a piece by the level of its damping: one curve for each level, with gaps in between.
 export function stretches(piece, level) {
   const curves = new Map();
   for (let k = 1; k < piece.speed.length; ++k) {
@@ -75,10 +75,10 @@ function damped(campbell, scale) {
   return [...lines, ...names, ...growing(campbell, 'frequency'), bar];
 }
 
-// A value of all pieces against speed; what grows lies thick on top.
+// A value of all pieces over the speed; growing modes are drawn thick and on top.
 function branches(campbell, key) {
   const first = once();
-  // Backward whirl, dashed, over the forward whirl that it may coincide with.
+  // Backward whirl is dashed and drawn over the forward whirl, with which it may coincide.
   const order = [...campbell.pieces].sort((a, b) => (a.sense === 'backward') - (b.sense === 'backward'));
   const plain = order.map((piece) => {
     const {color, dash} = senses[piece.sense];
@@ -112,7 +112,7 @@ export const speedAxis = (campbell) => axes({title: {text: 'spin speed / rpm', s
   exponentformat: 'none', separatethousands: true, nticks: 8});
 export const valueAxis = (extra) => axes(Object.assign({automargin: false}, extra));
 
-// High enough for 1x and the two lowest modes of either sense; a double click shows the rest.
+// The top of the diagram, Hz: it includes 1x and the two lowest modes of each sense. A double click shows the rest.
 function ceiling(campbell) {
   const highest = campbell.pieces.filter((piece) => piece.speed[0] === 0)
     .map((piece) => Math.max(...piece.frequency)).sort((a, b) => a - b);
@@ -126,7 +126,7 @@ export function campbellFigure({campbell}) {
     line: {color: css('--ink'), width: 1.2, dash}, hoverinfo: 'skip'});
   const speeds = {type: 'scatter', x: critical, y: critical.map((n) => n / 60), name: 'critical speed',
     mode: 'markers+text', text: critical.map((n) => `${number(n, 4)} rpm`),
-    // On either side of 1x in turn: critical speeds come in near pairs.
+    // The labels alternate between the two sides of 1x, because critical speeds come in close pairs.
     textposition: critical.map((n, k) => (critical.length > 1 && k % 2 === 0 ? 'top left' : n > 0.75 * top ? 'bottom left' : 'bottom right')),
     textfont: {color: css('--ink')}, cliponaxis: false,
     marker: {color: css('--paper'), size: 10, line: {color: css('--ink'), width: 2}},
@@ -155,13 +155,13 @@ export function campbellFigure({campbell}) {
       yaxis: valueAxis({title: {text: 'whirl frequency / Hz', standoff: 8}, range: [0, high]})})};
 }
 
-// The natural logarithm of one swing over the next, of a damping ratio in percent; where nothing swings there is none.
+// The logarithmic decrement for a damping ratio in percent; null if the mode does not oscillate.
 export function decrement(percent) {
   const ratio = percent / 100;
   return Math.abs(ratio) < 1 ? 2 * Math.PI * ratio / Math.sqrt(1 - ratio * ratio) : null;
 }
 
-// `key` of the pieces over the speed, 0 among what is shown.
+// `key` of the pieces over the speed. The axis includes 0.
 function dampingPlot(campbell, key, title) {
   const values = campbell.pieces.flatMap((piece) => piece[key]), most = Math.max(0, ...values), least = Math.min(0, ...values);
   const room = 0.1 * (most - least) || 0.1;

@@ -1,11 +1,11 @@
-// The point of a sweep that was clicked, or asked for by its number: its values, and the run behind it: a link to its page
-// where it was kept, else the command that runs the point again and keeps it. `runs`: {command, kept: {point: link}, points}.
+// Shows the point of a sweep that was clicked or entered by its number: its values, and a link to the page of its run if the
+// run was saved, otherwise the command that reruns and saves it. `runs`: {command, kept: {point: link}, points}.
 const element = (name, text, attributes = {}) => Object.assign(document.createElement(name), {textContent: text, ...attributes});
 
-// One line for the shell: the point's number behind the study's command.
+// The shell command for a point: the study's command with the point's number.
 export const commandOf = (runs, point) => `${runs.command} --point ${point}`;
 
-// Draws into `place`; `lines`: [name, value] of what the map knows of a point, of one that it does not draw nothing.
+// Draws into `place`. `lines`: for a point, the [name, value] pairs of the map; none for a point that the map does not draw.
 export function chosenPoint(place, runs, lines) {
   const number = element('input', '', {type: 'number', min: 0, max: runs.points - 1, step: 1});
   const label = element('label', 'run of point '), answer = element('div', '');

@@ -1,13 +1,13 @@
-// The picture beneath a comparison's answer: native beside MuJoCo alone, where the two part.
+// The picture below a comparison's answer: native and MuJoCo alone, around the time at which they diverge.
 import {timeTraces} from './traces.js';
 import {axes, css, layout, line, short, symbol} from './style.js';
 
 const kLooks = 4000;      // instants of the run at which the two are compared
-const kApart = 0.01;      // of the clearance, or
-const kForceApart = 0.5;  // of native's usual force: from there on they have parted
-const kTurns = 3;         // shown
+const kApart = 0.01;      // relative to the clearance: the runs have diverged if their gaps differ by more, or
+const kForceApart = 0.5;  // relative to native's usual force: if their forces differ by more
+const kTurns = 3;         // number of turns shown
 
-// What a reader sees beside native at first: the measured record, else MuJoCo alone, else what comes next.
+// The index of the run that is first shown beside native: the measured record, else MuJoCo alone, else the next run.
 export function besideNative(runs, names = ['measured', 'cone', 'cone-default']) {
   for (const name of names) {
     const at = runs.findIndex((run) => run.label === name);
@@ -16,11 +16,11 @@ export function besideNative(runs, names = ['measured', 'cone', 'cone-default'])
   return Math.min(1, runs.length - 1);
 }
 
-// The first time in [from, to] at which `apart` holds, of equally many instants between; undefined: never.
+// The first of kLooks + 1 evenly spaced times in [from, to] at which `apart` is true; undefined if there is none.
 const firstTime = (from, to, apart) =>
   Array.from({length: kLooks + 1}, (_, k) => from + (to - from) * k / kLooks).find(apart);
 
-// [from, to], s: half a turn before the two part to some turns after it; null: they do not. turn: s.
+// [from, to], s: from half a turn before the runs diverge to kTurns turns after it; null if they do not. turn: s.
 export function partingWindow(native, other, {from, to}, clearance, usualForce, turn) {
   const value = (run, name, t) => (run.has(name) ? run.value(name, t) : 0);
   const beyond = (name, most) => firstTime(from, to, (t) => Math.abs(value(native, name, t) - value(other, name, t)) > most);
@@ -45,7 +45,7 @@ export function impulseTrace(run, [from, to]) {
     marker: {color: css(`--${run.label}`), size: 5, symbol: symbol(run.label)}, hovertemplate: `%{y:.4g} mN s<extra>${run.label}</extra>`};
 }
 
-// {data, layout, words}, or null where there is nothing to be seen. Gap above, impulses below.
+// {data, layout, words}: the gap above, the impulses below. Null if the runs do not diverge.
 export function firstFigure(scene, runs) {
   const native = runs[0], other = runs[besideNative(runs, ['cone', 'cone-default'])];
   if (!other || other === native || !native.has('gap') || !scene.contacts[0].touches) return null;
@@ -63,7 +63,7 @@ export function firstFigure(scene, runs) {
   words: {other: other.label, from: range[0]}};
 }
 
-// Draws it in its place, or leaves the place out.
+// Draws the figure in its place, or removes the place if there is no figure.
 export function showFirst(plot, scene, runs, show) {
   const figure = firstFigure(scene, runs), place = plot.closest('figure');
   if (!figure) {

@@ -1,10 +1,10 @@
-// Parts that decide nothing begin folded, and on small screens all long parts do. A link into a folded part opens it; paper
-// has every table and plot.
-const kFirstPlots = 6;  // of a scene; on a small screen two fewer (report.css)
+// Parts that do not affect the verdict are folded at first; on small screens all long parts are. A link into a folded part
+// opens it. A printed page has every table and plot.
+const kFirstPlots = 6;  // plots of a scene that are shown at first; two fewer on a small screen (report.css)
 
 const small = () => matchMedia('(max-width: 760px)').matches;
 
-// Of a scene's plots the first few, and a button for the rest.
+// Shows the first few plots of a scene, and a button for the rest.
 function shorten(grid) {
   const plots = grid.querySelectorAll('figure').length;
   if (plots <= kFirstPlots + 2) return;
@@ -17,7 +17,7 @@ function shorten(grid) {
   grid.after(button);
 }
 
-// A part that was open is where the browser has scrolled to.
+// Opens the folded parts around the link's target and scrolls there. If no part was folded, the browser has scrolled already.
 function openTarget() {
   const target = document.getElementById(location.hash.slice(1).split('?')[0]);
   let opened = false;
@@ -29,7 +29,7 @@ function openTarget() {
   if (opened) target.scrollIntoView();
 }
 
-// A table that is wider than its place can be scrolled by keys.
+// Makes tables that are wider than their place scrollable with the keyboard.
 function reachTables() {
   for (const place of document.querySelectorAll('.scroll')) {
     const wide = place.scrollWidth > place.clientWidth + 1;
@@ -42,7 +42,7 @@ function reachTables() {
   }
 }
 
-// Before the page is drawn.
+// Call it before the page is drawn.
 export function foldParts() {
   if (small()) for (const part of document.querySelectorAll('details.later')) part.open = false;
   document.querySelectorAll(`${small() ? '' : '.scene '}.plots .plot-grid`).forEach(shorten);

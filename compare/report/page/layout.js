@@ -66,7 +66,7 @@ function plotOf({title, unit, text, shape, data}) {
     unit && element('span', {class: 'unit'}, ` ${unit}`), text && ` — ${text}`), place);
 }
 
-// Each kind of part has a key of its own. heading: above the part.
+// Each kind of part is recognised by its key. heading: the heading above the part.
 const kinds = {
   rows: (table, heading) => tableOf(table, heading),
   lines: ({lines}) => element('pre', {tabindex: '0'}, lines),  // wide lines are scrolled by keys

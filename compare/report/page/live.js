@@ -27,7 +27,7 @@ export class LiveScene {
     const live = element.querySelector('.live'), moving = this.runs.filter((run) => run.has('rotor'));
     if (scene.rig && moving.length) this.player = new Player(live, scene, moving, this.clock, this.runs.filter((run) => !run.has('rotor')));
     else for (const part of live.querySelectorAll('.player, .transport')) part.remove();
-    // The first touch is worth seeing first, and a little of what comes of it.
+    // The page starts shortly after the first touch.
     const touch = this.clock.hard[0];
     this.clock.t = touch === undefined ? from : Math.min(to, touch + 0.25 * this.player.span(this.player.shown[0], touch));
     const linked = stateIn(location.hash, element.id);
@@ -36,7 +36,8 @@ export class LiveScene {
     if (linked.t !== undefined) this.clock.t = Math.min(to, Math.max(from, linked.t));
     element.scrollIntoView();
   }
-  // A run that was computed here, in the place of the one before; contacts: what it has of its own of each.
+  // Shows a run that was computed in the page; it replaces the previous one. contacts: the data of each contact that differ
+  // from the scene's.
   join({side, contacts}) {
     const {sides} = this.scene, at = sides.findIndex(({label}) => label === side.label), k = at < 0 ? sides.length : at;
     sides[k] = side;
@@ -45,11 +46,11 @@ export class LiveScene {
     this.player?.join(this.runs[k]);
     this.drawAll();
   }
-  // The reader has sought a time, zoomed or hidden a run: not before the page is drawn.
+  // Call it when the reader has changed the time, the zoom or the shown runs. It does nothing until the page is drawn.
   told() {
     if (this.isDrawn) this.address.write({t: this.clock.t, range: this.plots.range, hidden: this.plots.hidden});
   }
-  // Draws the player, near the screen or not.
+  // Draws the player, even if it is not near the screen.
   begin() {
     if (!this.player) return;
     this.player.visible = true;
@@ -61,7 +62,8 @@ export class LiveScene {
     this.plots.cursor(t);
     this.player?.look(null);
   }
-  // The instant under the pointer, or null when it leaves: marked in all plots, and shown by a player that stands still.
+  // t: the instant under the pointer, or null when the pointer leaves. All plots mark it, and the player shows it unless it is
+  // playing.
   look(t) {
     if (t === this.plots.looked || this.clock.playing) return;
     this.plots.cursor(this.clock.t, t);

@@ -1,8 +1,8 @@
-// The closed loop of magnetic bearings as plotly takes it, from what loop_page.h gives: sensitivities with the zones of
-// ISO 14839-3, and answers to a step of force.
+// Plotly figures of the closed loop of magnetic bearings, from the data of loop_page.h: sensitivities with the zones of
+// ISO 14839-3, and responses to a step of force.
 import {axes, css, layout, legendAbove as legend, titled} from './style.js';
 
-// Colour the bearing, dashes the axis y, which often lies on x.
+// The colour shows the bearing; the axis y is dashed, because it often coincides with x.
 const style = (name) => ({color: css(`--mode-${((Number(name.split(' ')[1]) - 1) % 6) + 1}`), width: 2,
   dash: name.endsWith('y') ? 'dash' : 'solid', simplify: false});
 const lineOf = (name, x, y, hovertemplate) => ({x, y, name, legendgroup: name, type: 'scatter', mode: 'lines',
@@ -38,7 +38,7 @@ function stepFigure({step}) {
     lineOf(name, t, y, '%{x:.4g} ms: %{y:.4g} µm/N'),
     ...(peak ? [mark(name, peak, 'circle-open', 'most: %{y:.4g} µm/N at %{x:.4g} ms')] : []),
     mark(name, settled, 'diamond-open', 'settled within 2 % from %{x:.4g} ms on')]);
-  // What stays of the deflection.
+  // The steady deflection.
   const shapes = step.map(({name, steady}) => ({type: 'line', xref: 'paper', x0: 0, x1: 1, y0: steady, y1: steady, layer: 'below',
     line: {color: style(name).color, width: 1, dash: 'dot'}}));
   return {data: curves, layout: layout({shapes, hovermode: 'closest', showlegend: true, legend: legend(), margin: room,

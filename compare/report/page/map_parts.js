@@ -1,4 +1,4 @@
-// The pages of maps: of a sweep, of lasting rubs, of branches of periodic rubs, and of feedback that calms rubs.
+// The pages of maps: of a sweep, of lasting rubs, of branches of periodic rubs, and of feedback that stabilises rubs.
 import {answerOf, scenesText, sheetsOf, splitAtHeading} from './answer.js';
 import {short} from './style.js';
 

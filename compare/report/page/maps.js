@@ -1,7 +1,7 @@
 // The maps of a sweep, of an optimisation or of a linear analysis, in `into`: a bar of axes, and two or four maps, each
-// with the list of figures that it can show. A grid is a picture of one pixel a cell, with marks that cannot be seen
-// for the pointer; other points are marks of their own; one key is a curve. A figure may be "linear": computed for every
-// point, whether its run succeeded or not; and "signed": its colours part at 0.
+// with the list of figures that it can show. A grid is a picture with one pixel per cell and invisible marks for the
+// pointer; other points are visible marks; a single key gives a curve. A figure may be "linear" (computed for every point,
+// even if its run failed) and "signed" (its colours change at 0).
 import {chosenPoint} from './chosen_point.js';
 import {element} from './layout.js';
 import {show} from './page.js';
@@ -34,7 +34,7 @@ export function mapsOf(into, data) {
     return [`<b>${what}</b>`, ...lines].join('<br>');
   }
 
-  // Of a sweep's own page: a click on a point, or its number, leads to its run.
+  // Only on a sweep's own page: a click on a point, or its number, leads to its run.
   const every = data.every || 1, place = element('div', {class: 'chosen-point', role: 'group', 'aria-label': 'the run of a point'});
   const choosePoint = data.runs ? chosenPoint(place, data.runs, (point) => {
     const i = point / every;
@@ -48,7 +48,7 @@ export function mapsOf(into, data) {
     plot.on('plotly_click', ({points: [first]}) => { if (first.curveNumber === 0) choosePoint(points[first.pointNumber] * every); });
   }
 
-  // Points of the maps: of a grid those whose other keys have the chosen values.
+  // The points of the maps. In a grid these are the points whose other keys have the chosen values.
   function chosen() {
     const all = status.map((_, i) => i);
     if (!grid) return all;
@@ -119,7 +119,7 @@ export function mapsOf(into, data) {
       yaxis: axes({title: {text: figures[f].name + (figures[f].unit ? ` / ${figures[f].unit}` : '')}})})});
   }
 
-  // ------------------------------------------------------------------ what is chosen
+  // ------------------------------------------------------------------ the choices
   const wanted = preferred.filter((name) => figures.some((figure) => figure.name === name));
   const maps = (wanted.length ? wanted : figures.slice(0, 2).map(({name}) => name)).map((first, k) => {
     const list = element('select', {class: 'figure', 'aria-label': `figure of the ${ordinals[k]} map`});

@@ -1,9 +1,9 @@
 // The native model as a WebAssembly module (report/live/live.cc), in a worker of the page or under node.
 
-// Of what the C library may ask for it needs a clock; the rest, files above all, is refused.
+// The C library gets a clock; all other system calls, such as file access, return this error.
 const kNotThere = 52;  // ENOSYS
 
-// module: a WebAssembly.Module. {run(text, name, changes): what live.cc gives, figures()}
+// module: a WebAssembly.Module. Returns {run(text, name, changes): the result of live.cc, figures()}.
 export async function nativeModel(module) {
   const imports = {};
   for (const {module: room, name} of WebAssembly.Module.imports(module)) {

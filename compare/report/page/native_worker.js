@@ -1,4 +1,4 @@
-// The worker of "what if": one run, so that the page stays quick meanwhile and can end it.
+// The worker of "what if". It makes one run, so that the page stays responsive and can stop the run.
 import {nativeModel} from './native.js';
 
 addEventListener('message', async ({data: {module, text, name, changes}}) => {

@@ -1,11 +1,11 @@
-// The page of `rotorub optimise`, from the scenes that it has evaluated: how the best value converged, maps of all that
-// were tried, and the best values as a table.
+// The page of `rotorub optimise`, from the evaluated scenes: the convergence of the best value, maps of all evaluations, and
+// a table of the best values.
 import {answerOf, sheetsOf} from './answer.js';
 import {axes, css, growBy, layout, legendBelow, number} from './style.js';
 
 const withUnit = (value, unit) => (value === null ? '' : `${number(value, 5)}${unit ? ` ${unit}` : ''}`);
 
-// A mark for each evaluation, as those of a sweep.
+// The data of a map with one mark for each evaluation, in the format of a sweep.
 export function searchMap({figure, unit, maximise, best, keys, values, column, constraints, feasible, status}) {
   const statuses = ['ok', ...new Set(status.filter((word) => word !== 'ok'))], of = (name, more, meaning) => ({name, unit: more, meaning, word: false});
   return {kind: 'marks', keys, values, best, feasible, statuses, status: status.map((word) => statuses.indexOf(word)),
@@ -51,7 +51,7 @@ function bestTable({figure, unit, maximise, best, keys, values, column, constrai
 }
 
 export function optimiseParts({page: {parts}, search, texts: [scene]}) {
-  // With a best value the answer stands behind how the search ended.
+  // If there is a best value, the first part (how the search ended) comes last.
   const answer = search.best === null ? parts : [...parts.slice(1), parts[0]];
   return [answerOf(answer), ...(search.best === null ? [] : [sheetsOf([bestTable(search)])]),
     ...(search.column.some((value) => value !== null) ? [{class: 'plots', parts: [{plots: 'convergence'}]}] : []),

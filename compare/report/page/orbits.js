@@ -1,8 +1,8 @@
-// What an orbit says beside its line: where the mark on the rotor passes (keyphasor), and which way it goes.
+// The annotations of an orbit: the points at which the rotor's mark passes (keyphasor), and the direction of the motion.
 import {css} from './style.js';
 
-// Of points [x, y] in order of time: the area swept about their mean, over that swept either way. 1: always from x to y,
-// -1: always from y to x, near 0: to and fro.
+// The signed area that the points [x, y], in order of time, sweep about their mean, divided by the unsigned area. 1: always
+// from x to y; -1: always from y to x; near 0: to and fro.
 export function sweptSense(points) {
   if (points.length < 3) return 0;
   const mean = [0, 1].map((c) => points.reduce((sum, p) => sum + p[c], 0) / points.length);
@@ -15,7 +15,7 @@ export function sweptSense(points) {
   return either > 0 ? swept / either : 0;
 }
 
-// In words, of a spin of either sign.
+// The sense in words, for a spin of either sign.
 export function senseWord(sense, spin) {
   if (Math.abs(sense) < 0.2) return 'to and fro';
   if (!spin) return sense > 0 ? 'from x to y' : 'from y to x';
@@ -23,14 +23,15 @@ export function senseWord(sense, spin) {
   return Math.abs(sense) < 0.8 ? `mostly ${way}` : way;
 }
 
-// The part of [from, to] that is looked at for the mark and the sense, and how closely: of many turns the last ones.
+// The part of [from, to] in which the mark and the sense are determined, and the number of samples. Only the last kTurns turns
+// are used.
 const kTurns = 24;
 export function lookAt(from, to, turn) {
   const begin = turn > 0 ? Math.max(from, to - kTurns * turn) : from;
   return {from: begin, to, steps: turn > 0 ? Math.min(4000, Math.max(200, Math.ceil(40 * (to - begin) / turn))) : 400};
 }
 
-// What is said of the senses: one line for those that most runs have, and one for each of the others.
+// The lines that state the senses: one line for the sense that most runs have, and one for each run with another sense.
 export function senseLines(words) {
   const all = [...words.values()], most = [...new Set(all)].sort((a, b) => all.filter((w) => w === b).length - all.filter((w) => w === a).length)[0];
   const others = [...words].filter(([, word]) => word !== most), same = all.length - others.length;
@@ -50,7 +51,7 @@ export function orbitMarks(runs, [from, to], hidden, placeOf) {
     const passed = run.pulses(look.from, look.to, look.steps).map((t) => placeOf(run, t));
     data.push({x: passed.map((p) => p[0]), y: passed.map((p) => p[1]), name: run.label, meta: run.label, type: 'scatter', mode: 'markers', cliponaxis: false,
       marker: {color, symbol: 'diamond', size: 11, line: {color: css('--paper'), width: 1.5}}, hovertemplate: `the mark passes: (%{x:.4g}, %{y:.4g})<extra>${run.label}</extra>`});
-    // The arrow lies where the line ends, as long as a twentieth of a turn.
+    // The arrow is at the end of the line and spans a twentieth of a turn.
     const head = points[points.length - 1], tail = placeOf(run, Math.max(start, end - (turn || end - start) / 20));
     if (Math.hypot(head[0] - tail[0], head[1] - tail[1]) > 0) {
       arrows.push({x: head[0], y: head[1], ax: tail[0], ay: tail[1], xref: 'x', yref: 'y', axref: 'x', ayref: 'y', text: '', showarrow: true,

@@ -26,7 +26,7 @@ export function start(draw) {
   });
   prefersDark.addEventListener('change', () => theme());
   chooseUnits(draw);
-  // On paper a picture does not fit itself to its place: it is drawn for it, at the paper's width.
+  // A printed plot does not adapt to its place, so it is drawn again at the paper's width.
   function print(on) {
     root.classList.toggle('printing', on);
     theme(on ? 'light' : undefined);
@@ -36,7 +36,7 @@ export function start(draw) {
   theme();
 }
 
-// The list of units in the page's head; what is chosen is kept in the page's address.
+// The list of units in the page's head; the page's address keeps the choice.
 function chooseUnits(draw) {
   const list = document.getElementById('units'), address = new URL(location.href);
   for (const [key, {name}] of Object.entries(systems)) list.add(new Option(name, key));
@@ -56,8 +56,8 @@ function chooseUnits(draw) {
   });
 }
 
-// Draws a figure {data, layout} in its place, in the chosen units but for maps, whose keys have units of their own. On paper
-// at its place's size. plot.factors: of x and y, from the units of the figure to those shown.
+// Draws a figure {data, layout} in its place. The units are the chosen ones, except in maps, whose keys have their own units.
+// In print the figure has the size of its place. plot.factors: conversion of x and y from the figure's to the shown units.
 export function show(plot, figure) {
   const unit = plot.closest('figure')?.querySelector('figcaption .unit');
   const {data: traces, layout, factors} = plot.closest('.map-set') ? {...figure, factors: {x: 1, y: 1}} : figureInUnits(figure, unit && siText(unit).trim());
@@ -71,8 +71,8 @@ export function show(plot, figure) {
   offerFiles(plot);
 }
 
-// Draws one after the other, one a frame, so that a page can be scrolled meanwhile; on paper at once. `of`: what a later
-// call replaces.
+// Draws one plot per frame, so that the page can be scrolled meanwhile; for printing it draws at once. A later call with the
+// same `of` replaces an earlier one.
 const waiting = new Map();
 function drawNext() {
   const [first] = waiting;
@@ -96,7 +96,7 @@ export function whenNear(element, act) {
   new IntersectionObserver((entries) => act(entries[entries.length - 1].isIntersecting), {rootMargin: '400px 0px'}).observe(element);
 }
 
-// Once the browser has told that it painted words; or, where it never does (a hidden tab, paper), after two seconds.
+// Resolves when the browser reports its first paint, or after two seconds if it never does (a hidden tab, printing).
 function painted() {
   return new Promise((go) => {
     setTimeout(go, 2000);
@@ -110,7 +110,7 @@ function painted() {
   });
 }
 
-// Plotly comes last and takes a third of a second: words, tables and the player are there before it. `ready` follows.
+// Loads plotly last, because it takes a third of a second; text, tables and the player are shown before. Then calls `ready`.
 export async function withPlotly(ready) {
   await painted();
   const script = document.createElement('script');

@@ -1,5 +1,5 @@
-// The plots of a page's results, by the data that they show: titles, and words on how to read them. A plot stands on
-// the page if its data does.
+// The plots of a page's results, by the data that they show: titles, and sentences on how to read them. A plot appears only
+// if the page has its data.
 import {beyondText, rpmText} from './campbell.js';
 import {benchOf} from './precision.js';
 
@@ -78,12 +78,12 @@ const branches = () => [
 
 const kinds = {bench, rotor, whirl, loop, bifurcation, convergence, branches};
 
-// Makes the table that says what each figure of a set of maps means.
+// Makes the table of the meanings of the figures in a set of maps.
 const figuresOf = ({figures}) => [{heading: 'Figures'}, {class: 'cards-when-small', columns: ['name', 'unit here', 'meaning'].map((text) => ({text})),
   rows: figures.map(({name, unit, meaning}) => ({cells: [name, unit, meaning]}))}];
 
-// Parts of a page (layout.js) with their plots: of {plots: kind, index} those for which `data` has the data; and of {figures:
-// index} the table of the figures in that set of maps.
+// Expands the parts of a page (layout.js): {plots: kind, index} becomes the plots for which `data` has the data, and {figures:
+// index} becomes the table of the figures in that set of maps.
 export const withPlots = (parts, data) => parts.flatMap((part) => {
   if ('figures' in part) return figuresOf(data.maps[part.figures]);
   if (part.parts) return {...part, parts: withPlots(part.parts, data)};

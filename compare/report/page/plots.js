@@ -5,8 +5,8 @@ import {css, nameOf} from './style.js';
 import {sceneFigure} from './traces.js';
 
 export class ScenePlots {
-  // runs: of scene.sides, each with its contacts; seek(t): what a click asks for; look(t): what the pointer is at, null when
-  // it leaves; changed(): the reader shows something else.
+  // runs: of scene.sides, each with its contacts. seek(t): called for a click at t. look(t): called with the time under the
+  // pointer, or null when it leaves. changed(): called when the zoom or the shown runs change.
   constructor(element, scene, runs, {seek, look, changed}) {
     Object.assign(this, {element, scene, runs, seek, look, changed, looked: null});
     this.plots = [...element.querySelectorAll('.plot')];
@@ -28,7 +28,7 @@ export class ScenePlots {
       if (!near) this.near.delete(plot);
       if (!near || this.near.has(plot)) return;
       this.near.add(plot);
-      // The cursor has gone on meanwhile.
+      // The cursor has moved while the plot was off the screen.
       if (window.Plotly && plot.stale !== false) inTurn(plot, () => this.draw(plot)); else this.place(plot);
     });
     plot.addEventListener('keydown', (event) => this.key(plot, event));
@@ -72,7 +72,7 @@ export class ScenePlots {
     if (t !== null) this.seek(t);
   }
 
-  // Of a plot over time: arrows move the cursor, + and - zoom about it, 0 shows the whole run.
+  // The keys of a plot over time: arrows move the cursor, + and - zoom about it, 0 shows the whole run.
   key(plot, event) {
     if (!this.overTime(plot) || event.target !== plot || event.ctrlKey || event.altKey || event.metaKey) return;
     const [from, to] = this.range, whole = this.span(0), step = (to - from) * (event.shiftKey ? 0.2 : 0.02);
@@ -90,7 +90,7 @@ export class ScenePlots {
     const {from, to} = this.scene.windows[window];
     return [from, to];
   }
-  // All turns of a run on top of each other show nothing: the last ones stand for it.
+  // All turns of a run on top of each other are unreadable, so the whole run is represented by its last turns.
   turns() {
     const whole = this.scene.windows[0];
     const all = this.range[0] <= whole.from && this.range[1] >= whole.to;
@@ -135,7 +135,7 @@ export class ScenePlots {
   }
 
   // ---------------------------------------------------------------- the cursor
-  // At t, and at the instant under the pointer, or null.
+  // Places the cursor at t. looked: the instant under the pointer, or null.
   cursor(t, looked = null) {
     Object.assign(this, {t, looked});
     for (const plot of this.near) this.place(plot);
@@ -156,7 +156,7 @@ export class ScenePlots {
   place(plot) {
     const layout = plot._fullLayout;
     if (!plot.mark || !layout?.xaxis) return;
-    // For tests: the time that the plot is at.
+    // For tests: the time of the cursor.
     plot.dataset.cursor = this.t;
     const t = this.looked ?? this.t;
     if (plot.dataset.over === 'turns') this.placeDots(plot, layout, this.onOrbits(plot, t));
@@ -166,7 +166,7 @@ export class ScenePlots {
     this.placeLine(plot.lookedMark, layout, this.looked);
   }
 
-  // Where each run is at t on its orbit, um.
+  // The position of each run at t on its orbit, um.
   onOrbits(plot, t) {
     const orbit = plot.dataset.plot === 'orbit';
     return this.viewOf(plot).runs.filter((run) => run.has('rotor') && !this.hidden.has(run.label) && run.within(t) && (orbit || run.ringKnown))
@@ -208,7 +208,7 @@ export class ScenePlots {
     this.changed();
   }
 
-  // One more run: in the legend too.
+  // Adds a run to the legend.
   join(label) {
     const legend = this.element.querySelector('.legend');
     if (legend.querySelector(`[data-side="${label}"]`)) return;
@@ -220,7 +220,7 @@ export class ScenePlots {
     legend.append(button);
   }
 
-  // As a link says, before anything is drawn; of what the scene has.
+  // Restores the view of a link before anything is drawn. Times and runs that the scene does not have are ignored.
   restore({from, to, hidden}) {
     const whole = this.scene.windows[0];
     if (from < to && from < whole.to && to > whole.from) this.range = [Math.max(whole.from, from), Math.min(whole.to, to)];

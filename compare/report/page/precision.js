@@ -1,9 +1,9 @@
-// The log-log plots of a bench as plotly takes them, from a scene of bench.json.
+// The log-log plots of a bench as plotly figures, from a scene of bench.json.
 import {units} from './player/units.js';
 import {logTicks} from './scales.js';
 import {axes, css, growBy, layout, legendBelow, short} from './style.js';
 
-// The series of a scene with their points; errors in m, 0 for what is not known. The tolerances of an engine form one series.
+// The series of a scene with their points; errors in m, 0 if unknown. The tolerances of an engine form one series.
 export function benchOf({clearance, engines, points, series}) {
   const belongs = (point, {engine, setting}) => point.engine === engine && setting === (point.step === null ? '' : point.setting);
   const pointOf = ({setting, step, position_error: error, limit_error: limit, wall_ms: wall, outcome}) => ({outcome, error,
@@ -13,7 +13,7 @@ export function benchOf({clearance, engines, points, series}) {
     points: points.filter((point) => point.position_error !== null && belongs(point, one)).map(pointOf)}))};
 }
 
-// One colour a family's engine, one dash a setting.
+// Each engine has a colour, and each of its settings a dash pattern.
 const colors = {'native-event': '--native', 'native-verlet': '--good',
   'mujoco-rigid': '--rigid', 'mujoco-coulomb': '--coulomb', 'mujoco-cone': '--cone',
   'mujoco-cone-coulomb': '--cone-coulomb'};
@@ -62,7 +62,7 @@ export function precision(scene, key, plot) {
   const {legend, height} = legendBelow(key === 'precision' ? scene.series.map(named) : [], plot.clientWidth);
   growBy(plot, height);
   return {data: traces, layout: layout({hovermode: 'closest', showlegend: height > 0, margin: {l: 70, r: 12, t: 8, b: 46 + height}, xaxis: x, yaxis: y, legend,
-    // The clearance: an error of that size is no result.
+    // A line at the clearance: a result with an error of that size is useless.
     shapes: [{type: 'line', xref: 'paper', x0: 0, x1: 1, y0: scene.clearance, y1: scene.clearance,
       line: {color: css('--bad'), width: 1, dash: 'dot'}}]})};
 }

@@ -9,7 +9,7 @@ import {runParts} from './run_parts.js';
 import {stills} from './stills.js';
 import {tradeFigure, tradeOf} from './trade.js';
 
-// The list of contents: of every part that has a name, those of a scene in its line.
+// The list of contents: an entry for every named part; the parts of a scene share a line.
 function contentsOf(main) {
   const parts = [...main.querySelectorAll('[data-contents]')], sceneAround = (part) => part.parentElement.closest('.scene[data-contents]');
   const list = (chosen) => element('ul', {}, ...chosen.map((part) => {
@@ -29,7 +29,7 @@ const drawStills = stills({trade: (plot) => show(plot, tradeFigure(tradeOf(scene
   showFirst(plot, scene, runs, show);
   plots.link(plot);
 }});
-// For tests, and for whoever scripts the page.
+// For tests and for scripts of users.
 window.page = {data, players: scenes.map((scene) => scene.player)};
 
 function draw() {

@@ -1,13 +1,13 @@
 // The free rotor's response to unbalance over the spin speed (Bode, polar), and its critical speeds over the stiffness of
-// its bearings, as plotly takes them (compare/report/response_plots.h).
+// its bearings, as plotly figures (compare/report/response_plots.h).
 import {across, valueAxis} from './campbell.js';
 import {axes, css, layout, legendAbove as legend, number, titled} from './style.js';
 
 const rpm = (speed) => `${number(speed, 4)} rpm`;
 const nameOf = ({name, plane}) => (plane ? `${name}, ${plane}` : name);
 
-// Curves that are shown first: the contacts, what magnetic bearings' sensors see, and of the other stations the few that move
-// most; of the plane x alone.
+// The curves that are shown at first, only in the plane x: the contacts, the sensors of magnetic bearings, and the few other
+// stations that move most.
 const kFirst = 5;
 export function shownFirst(curves) {
   const most = ({amplitude}) => Math.max(...amplitude), inX = curves.filter(({plane}) => plane !== 'y');
@@ -17,15 +17,15 @@ export function shownFirst(curves) {
   return new Set([...always, ...others].slice(0, Math.max(kFirst, always.length)));
 }
 
-// Colour the station, those shown first before the others; dashes the plane y.
+// The colour shows the station (curves that are shown at first get the first colours); the plane y is dashed.
 function styleOf(curves, first) {
   const stations = [...new Set([...curves.filter((curve) => first.has(curve)), ...curves].map(({name}) => name))];
   return ({name, plane}) => ({color: css(`--mode-${(stations.indexOf(name) % 6) + 1}`), width: 2,
     dash: plane === 'y' ? 'dash' : 'solid', simplify: false});
 }
 
-// Peaks to be lettered: of all curves the highest, none beside another; one that is critically damped (API 684) has its ring
-// alone.
+// The peaks that get a label: the highest ones of all curves, none close to another. A critically damped peak (API 684) has
+// only its ring.
 const kDamped = 2.5;
 export function letteredPeaks(curves, top) {
   const all = curves.flatMap((curve) => curve.peaks.map((peak) => ({...peak, curve}))).filter(({factor}) => factor >= kDamped)
@@ -34,7 +34,7 @@ export function letteredPeaks(curves, top) {
 }
 const factorOf = ({factor}) => (factor === null ? 'no amplification factor' : `AF ${number(factor, 3)}${factor < kDamped ? ', critically damped' : ''}`);
 
-// From the highest peak five decades down at most.
+// The range of the amplitude axis (log10): at most five decades below the highest peak.
 function decadesOf(curves, limits) {
   const all = curves.flatMap(({amplitude}) => amplitude).filter((a) => a > 0), sizes = all.length ? all : [1];
   const high = Math.log10(Math.max(...limits, ...sizes)), low = Math.log10(sizes.reduce((least, a) => Math.min(least, a), Infinity));
@@ -44,7 +44,7 @@ function decadesOf(curves, limits) {
 const hover = '%{customdata[0]:.5g} rpm: %{customdata[1]:.4g} µm, %{customdata[2]:.1f}°';
 const facts = (speed, {amplitude, phase}) => speed.map((n, k) => [n, amplitude[k], phase[k]]);
 
-// Degrees between two ticks of the phase: no more than eight.
+// Degrees between two ticks of the phase, for at most eight ticks.
 function quarters(curves) {
   const all = curves.flatMap(({phase}) => phase).filter((p) => p !== null);
   const span = Math.max(0, ...all) - Math.min(0, ...all);
@@ -80,11 +80,11 @@ export function bodeFigure({bode, campbell}) {
     yaxis2: valueAxis({title: {text: 'phase / °', standoff: 8}, domain: [0, 0.34], dtick: quarters(shown)})})};
 }
 
-// The deflection as it lies in the rotor's own frame: from the mark, which points to the right, in the sense of the spin.
+// The deflection in the rotor's frame: the mark points to the right, and angles increase in the sense of the spin.
 export const placeOf = (amplitude, phase) => (amplitude === null ? [null, null] :
   [amplitude * Math.cos(phase * Math.PI / 180), amplitude * Math.sin(phase * Math.PI / 180)]);
 
-// Of a curve so many points, as far from each other along it; not those at its beginning.
+// The indices of `count` points of a curve, evenly spaced along its length; the start is left out.
 export function alongCurve(places, count) {
   const way = [0];
   for (let k = 1; k < places.length; ++k) {
@@ -102,7 +102,7 @@ export function polarFigure({bode}) {
   const lines = curves.map((curve, c) => ({x: places[c].map((p) => p[0]), y: places[c].map((p) => p[1]), name: nameOf(curve), legendgroup: nameOf(curve),
     type: 'scatter', mode: 'lines', line: style(curve), customdata: facts(speed, curve), hovertemplate: `${hover}<extra>${nameOf(curve)}</extra>`,
     ...visibility(curve)}));
-  // The speeds are lettered on the largest of the curves that are shown.
+  // The labels of the speeds are on the largest shown curve.
   const largest = curves.reduce((best, curve, c) => (first.has(curve) && (best < 0 || Math.max(...curve.amplitude) > Math.max(...curves[best].amplitude)) ? c : best), -1);
   const at = largest < 0 ? [] : alongCurve(places[largest], 8);
   const letters = largest < 0 ? [] : [{x: at.map((k) => places[largest][k][0]), y: at.map((k) => places[largest][k][1]), text: at.map((k) => rpm(speed[k])),
@@ -120,7 +120,7 @@ export function stiffnessFigure({stiffness, campbell}, index) {
   const color = (k) => css(`--mode-${(k % 6) + 1}`);
   const lines = [...curves.map((y, k) => line(y, `critical speed ${k + 1}`, {color: color(k)}, k < 6 ? {} : {visible: 'legendonly'})),
     ...ring.map((y, k) => line(y, `ring alone${ring.length > 1 ? ` ${k + 1}` : ''}`, {color: css('--ink'), dash: 'dash', width: 1.6}))];
-  // The rotor alone, beside it held to a ring.
+  // Lines at the critical speeds of the rotor without contact, beside the curves of the rotor held to a ring.
   const rotor = ring.length ? campbell.critical.map((y) => ({type: 'line', xref: 'paper', x0: 0, x1: 1, y0: y, y1: y, layer: 'below',
     line: {color: css('--soft'), width: 1, dash: 'longdash'}})) : [];
   const along = campbell.running > 0 ? [{type: 'line', xref: 'paper', x0: 0, x1: 1, y0: campbell.running, y1: campbell.running, layer: 'below',

@@ -1,4 +1,5 @@
-// The free rotor as plotly takes it, from {campbell, shapes, bode, stiffness} (modes_page.h): here mode shapes at rest.
+// Plotly figures of the free rotor, from {campbell, shapes, bode, stiffness} (modes_page.h). This file has the mode shapes at
+// rest.
 import {campbellFigure, dampingFigure, decrementFigure} from './campbell.js';
 import {bodeFigure, polarFigure, stiffnessFigure} from './response.js';
 import {axes, css, layout, legendAbove as legend, number} from './style.js';
@@ -14,7 +15,7 @@ const alongShaft = (shapes, y, name, color, dash, visible) => ({x: shapes.z, y, 
   hovertemplate: `z = %{x:.1f} mm: %{y:.3f}<extra>${name}</extra>`});
 const colorOf = (mode) => ((mode.number - 1) % 6) + 1;
 
-// At rest: colour the mode, dashes the plane y where it differs.
+// Mode shapes at rest. The colour shows the mode; the plane y is dashed if it differs.
 const restTraces = (shapes) => shapes.modes.map((mode) => alongShaft(shapes, mode.shape,
   `mode ${mode.number}${shapes.same_planes ? '' : ` ${mode.plane}`}, ${number(mode.frequency, 4)} Hz`,
   colorOf(mode), mode.plane === 'y' ? 'dash' : 'solid', mode.number <= 4));
@@ -37,7 +38,7 @@ function rotorShapes(shapes) {
     ...shapes.discs.map((d) => box(d.z - half, d.z + half, d.radius || 0.6 * tallest(shapes), '--soft'))];
 }
 
-// One trace of symbols: bearings from below, all else from above the shaft.
+// One trace of symbols: bearings are below the shaft, all others above it.
 function stationTrace(shapes) {
   const shown = shapes.stations.filter(({kind}) => kind !== 'disc');
   const high = 0.22 * tallest(shapes);
@@ -79,7 +80,8 @@ const figures = {campbell: campbellFigure, damping: dampingFigure, decrement: de
   bode: bodeFigure, polar: polarFigure, stiffness: (rotor, _width, index) => stiffnessFigure(rotor, index),
   shapes: ({shapes}, width) => shaftFigure(shapes, restTraces(shapes), width),
   whirl_shapes: ({shapes}, width) => whirlShapesFigure(shapes, width)};
-// width: px, of the plot; index: of a map of several. What the reader has switched off stays off when the page is drawn again.
+// width: of the plot, px. index: the map's number if there are several. Curves that the reader has switched off stay off when
+// the page is drawn again.
 export function rotorFigure(rotor, key, width, index) {
   const figure = figures[key](rotor, width, index);
   figure.layout.uirevision = key;

@@ -6,7 +6,7 @@
 // a function in a module of its own and a line in traces.js if no other of its kind draws it.
 const always = () => true;
 const touches = ({contact}) => contact.touches;
-// A track of two knots is a constant, and a few points show no law: such a plot is left out.
+// A track of two knots is a constant, and a few points do not show a law, so such a plot is left out.
 const kFew = 3;
 const moves = (name) => ({runs, track}) => runs.some((run) => track(run, name)?.knots >= kFew);
 const touchesAnd = (has) => (view) => view.contact.touches && has(view);

@@ -1,12 +1,12 @@
-// A run-up over its speed as plotly takes it: cascade of full spectra, 1x and 2x as amplitude and phase, 1x as it goes on
-// the rotor. Each has at(t): where the runs are at a time, [{label, x, y}] in its axes.
+// Plotly figures of a run-up over its speed: the cascade of full spectra, amplitude and phase of 1x and 2x, and the polar plot
+// of 1x. Each has at(t), the position of the runs at a time in its axes: [{label, x, y}].
 import {placeOf} from './response.js';
 import {axes, css, layout, line, number, titled} from './style.js';
 
 const kTurn = 2 * Math.PI;
 const rpmOf = (run, t) => Math.abs(run.value('spin_speed', t)) * 60 / kTurn;
 
-// Values of a list over ascending times, straight in between.
+// Interpolates a list over ascending times linearly.
 export function between(times, values, t) {
   const k = times.findIndex((time) => time >= t);
   if (k < 0) return values[values.length - 1];
@@ -30,7 +30,7 @@ function cascade(scene, runs, hidden) {
   const unpacked = {...c, levels: atob(c.levels)}, all = speed.map((_, row) => amplitudes(unpacked, row));
   const low = speed[0], high = speed[last], most = Math.max(...all.flat()), gain = 5 * (high - low) / last / most;
   const f = Array.from({length: c.columns}, (_, k) => c.f[0] + (c.f[1] - c.f[0]) * k / (c.columns - 1));
-  // From the highest speed down, each filled to its foot: what is nearer hides what is behind.
+  // Drawn from the highest speed down, each spectrum filled to its base line, so that a nearer one hides those behind it.
   const lines = speed.flatMap((n, row) => [{x: f, y: all[row].map((a) => n + gain * a), name: `${number(n, 4)} rpm`, meta: side.label, type: 'scatter',
     mode: 'lines', fill: 'tonexty', fillcolor: css('--paper'), line: {color: css(`--${side.label}`), width: 1, simplify: false}, customdata: all[row],
     hovertemplate: `%{x:.4g} Hz: %{customdata:.3g} µm<extra>${number(n, 4)} rpm, t = ${t[row].toPrecision(4)} s</extra>`},
@@ -50,8 +50,8 @@ function cascade(scene, runs, hidden) {
 
 const tracked = (scene) => [...scene.sides].reverse().filter((side) => side.whirl.orders);
 
-// Phases within a turn, from a quarter before the mark to three behind it, as Bode plots have them; null where a line
-// would jump, and where what it is of is smaller than `least`: there the phase is chance.
+// Phases from -270 to 90 degrees, as in Bode plots. Null where a line would jump, and where the amplitude is below `least`,
+// because the phase is random there.
 export function withinTurn(phases, sizes, least) {
   let last = null;
   return phases.map((phase, k) => {

@@ -1,6 +1,6 @@
-// What a plot shows, as a file: a picture of it, or its points as a table.
+// Saves a plot as a picture, or its points as a table.
 
-// A row for each point: of which trace, x, y, and of a map z. RFC 4180.
+// One row for each point: its trace, x, y, and in a map z (RFC 4180).
 export function csvOf(traces) {
   const cell = (value) => {
     const text = value === null || value === undefined ? '' : String(value);
@@ -31,7 +31,7 @@ function download(name, text) {
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
-// Buttons in the caption of a plot's figure, once.
+// Adds the buttons to the caption of a plot's figure, once.
 export function offerFiles(plot) {
   const caption = plot.closest('figure')?.querySelector('figcaption');
   if (!caption || caption.querySelector('.save')) return;

@@ -1,13 +1,13 @@
-// Scales of maps and of lines: which colour a value has, where a key's values stand, which points of a line are drawn.
+// Scales of maps and of lines: the colour of a value, the positions of a key's values, and the points of a line that are drawn.
 import {parts, shade, short} from './style.js';
 
 const low2high = ['#440154', '#414487', '#2a788e', '#22a884', '#7ad151', '#fde725'];
 const below2above = ['#2166ac', '#92c5de', '#f7f7f7', '#f4a582', '#b2182b'];
-// What a run settles to has one colour in every map, as runs find it and as the eigenvalues say (attractor.h,
-// rub_analysis.h). What may coexist is the mixture of its parts.
+// A settled state has the same colour in every map, whether it was found by runs or by eigenvalues (attractor.h,
+// rub_analysis.h). States that may coexist have the mean of their colours.
 const states = {'no contact': '#c9d6e3', bouncing: '#aa3377', resting: '#8c6d31', 'synchronous rub': '#2f5fb3', 'forward rub': '#33a5c8',
   'backward whip': '#d62728', rolling: '#e8b800', unknown: '#8f8f8f', 'none stable': '#3b3b3b'};
-// The colour of a word of a map, as "#rrggbb"; of others than these by their place among the map's words.
+// The colour of a word of a map, as "#rrggbb". Words other than the states above are coloured by their position in `words`.
 export function colourOfWord(word, words) {
   const mixed = word.split(' + ').map((state) => states[state]);
   if (mixed.includes(undefined)) return kinds[words.indexOf(word) % kinds.length];
@@ -17,8 +17,8 @@ export function colourOfWord(word, words) {
 }
 export const kinds = ['#4477aa', '#ee6677', '#228833', '#ccbb44', '#66ccee', '#aa3377', '#bbbbbb', '#997700'];
 
-// Of the chosen values of a column. of(value): red, green, blue. Numbers of several decades are told apart by their
-// logarithm; words are of a kind each. signed: the colours part at 0.
+// The colour scale of the chosen values of a column. of(value): red, green, blue. Numbers over several decades have a
+// logarithmic scale; each word has its own colour. signed: the colours change at 0.
 export function colourScale(column, chosen, signed) {
   const given = chosen.map((i) => column[i]).filter((v) => v !== null);
   if (given.some((v) => typeof v === 'string')) {
@@ -33,7 +33,7 @@ export function colourScale(column, chosen, signed) {
   return {log, palette, low: place(low), high: place(low) + span, place, of: (v) => shade((place(v) - place(low)) / span, palette)};
 }
 
-// The places of the points of a whole grid, a list for each key; the last key varies fastest.
+// The indices of the points of a complete grid, one list for each key; the last key varies fastest.
 export function gridPlaces(keys) {
   const counts = keys.map(({values}) => values.length), all = counts.reduce((product, count) => product * count, 1);
   let stride = all;
@@ -43,7 +43,7 @@ export function gridPlaces(keys) {
   });
 }
 
-// Ticks of a logarithmic axis at 1, 2 and 5 of each decade; over several decades at 1 alone.
+// Ticks of a logarithmic axis at 1, 2 and 5 of each decade; over several decades only at 1.
 export function logTicks(values) {
   const given = values.filter((v) => v > 0), low = Math.min(...given), high = Math.max(...given), ticks = [];
   const steps = high > 100 * low ? [1] : [1, 2, 5];
@@ -54,7 +54,7 @@ export function logTicks(values) {
     `10<sup>${String(Math.floor(Math.log10(v) + 1e-9)).replace('-', '−')}</sup>`))};
 }
 
-// Where the values of a grid's key stand: at themselves where they are even, else side by side.
+// The positions of the values of a grid's key: the values themselves if they are evenly spaced, otherwise their indices.
 export function keyScale({values: list, even}) {
   const itself = even && list.length > 1;
   const first = itself ? list[0] : 0, width = itself ? (list[list.length - 1] - first) / (list.length - 1) : 1;
@@ -64,7 +64,7 @@ export function keyScale({values: list, even}) {
   return {at, width, from: at(-0.5), to: at(list.length - 0.5), axis: named};
 }
 
-// How many of `all`, ascending, are at or before `value` (below it: those before).
+// The number of elements of `all` (ascending) that are at most `value`.
 export function countUntil(all, value, of = (x) => x) {
   let low = 0, high = all.length;
   while (low < high) {
@@ -74,8 +74,8 @@ export function countUntil(all, value, of = (x) => x) {
   return low;
 }
 
-// First, least, greatest and last of each of `buckets` equal parts of the time, in order: no spike is lost, and the line
-// between two parts begins and ends where the whole one does.
+// Keeps the first, least, greatest and last sample of each of `buckets` equal parts of the time, in order, so that no spike is
+// lost and the line between two parts is exact.
 export function thinned(t, y, buckets) {
   const n = t.length;
   if (n <= 4 * buckets) return {t, y};
@@ -94,7 +94,7 @@ export function thinned(t, y, buckets) {
   return {t: kept.map((i) => t[i]), y: kept.map((i) => y[i])};
 }
 
-// A line {t, y} opened where there is nothing: holes [from, to].
+// A line {t, y} with gaps at the holes [from, to].
 export function opened({t, y}, holes = []) {
   if (!holes.length) return {t, y};
   const points = t.map((time, k) => [time, y[k]]).filter(([time]) => !holes.some(([from, to]) => time > from && time < to));
@@ -103,7 +103,7 @@ export function opened({t, y}, holes = []) {
   return {t: points.map((p) => p[0]), y: points.map((p) => p[1])};
 }
 
-// Points of a curve in the plane at ascending times, with an open place for every hole that they go over.
+// Points of a curve in the plane at ascending times, with a gap for every hole between two of them.
 export function openedCurve(times, points, holes = []) {
   return points.flatMap((point, k) => (k > 0 && holes.some(([from, to]) => times[k - 1] <= from && times[k] >= to) ? [[null, null], point] : [point]));
 }

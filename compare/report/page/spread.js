@@ -1,8 +1,8 @@
-// How contact forces and impulses are distributed, and what is left of a record beside each run, as plotly takes them.
+// Plotly figures of the distributions of contact forces and impulses, and of the difference between a record and each run.
 import {countUntil, opened, thinned} from './scales.js';
 import {axes, css, decades, layout, line, notesAbove, number, titled} from './style.js';
 
-// The share of the time that y spends in each of equal parts of its range above 0, straight between the times t.
+// The share of the time that y spends in each of `parts` equal bins from 0 to its maximum; y is linear between the times t.
 export function histogram(t, y, parts = 60) {
   const top = y.reduce((most, value) => Math.max(most, value), 0), whole = t[t.length - 1] - t[0], width = top / parts, share = new Array(parts).fill(0);
   if (!(top > 0) || !(whole > 0)) return null;
@@ -18,7 +18,8 @@ export function histogram(t, y, parts = 60) {
   return {width, share};
 }
 
-// How many values reach each one, descending; of many those at even steps of the logarithm of their number.
+// The values in descending order with the number of values that reach each; of many values, a selection that is even in the
+// logarithm of that number.
 export function exceedance(values, most = 150) {
   const all = [...values].sort((a, b) => b - a), growth = Math.log(all.length) / (most - 1);
   const even = Array.from({length: most}, (_, k) => Math.min(all.length, Math.max(1, Math.floor(Math.exp(growth * k) + 1e-9))));
@@ -41,7 +42,7 @@ export function impulsesOf({tracks: {impacts, normal}, longestImpact}) {
   return impulse.filter((_, k) => !force || lasts(t[k]) <= longestImpact);
 }
 
-// The corners of a staircase: share[k] from k width to (k + 1) width.
+// The corners of a step function that is share[k] from k width to (k + 1) width.
 export function staircase({width, share}) {
   const x = [0], y = [0];
   share.forEach((value, k) => {
@@ -53,7 +54,7 @@ export function staircase({width, share}) {
 
 const trace = (label, x, y, more) => ({x, y, name: label, meta: label, type: 'scatter', mode: 'lines', line: line(label), ...more});
 
-// The first two runs set the width, as they do the height of a force plot; one that goes far beyond says so.
+// The first two runs set the range of the axis, as in a force plot; a run that exceeds it by far is named in a note.
 export function widthFor(sides) {
   const reach = ({stairs}) => stairs.width * stairs.share.length, all = sides.filter(({stairs}) => stairs);
   const usual = 1.05 * Math.max(0, ...all.slice(-2).map(reach));
@@ -82,7 +83,7 @@ function impulse(runs) {
 }
 
 const figures = {force_spread: force, impulse_spread: impulse};
-// runs: at one of the contacts.
+// runs: the runs at one contact.
 export const spreadFigure = (key, runs) => figures[key]([...runs].reverse());
 
 // Record minus run along x, um, at the record's samples within both.

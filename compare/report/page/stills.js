@@ -1,4 +1,4 @@
-// Figures that no clock moves: of a bench, maps of a sweep or of a linear analysis, the free rotor, the closed loop of
+// Figures without a clock: of a bench, maps of a sweep or of a linear analysis, the free rotor, the closed loop of
 // magnetic bearings, a bifurcation diagram, branches of periodic rubs. Each is drawn when it comes near the screen. On pages of their own, and beside the comparison in the report.
 import {bifurcationFigure, branchesFigure} from './bifurcation.js';
 import {loopFigure} from './loop.js';
@@ -18,8 +18,8 @@ const figures = {
   rotor: (plot) => rotorFigure(data.rotor, plot.dataset.plot, plot.clientWidth, plot.dataset.index),
 };
 
-// Gives the function that draws all that is near the screen anew.
-// further: kinds of plots beside those above, each drawing its plot itself.
+// Returns the function that redraws everything near the screen. further: functions for further kinds of plots, each of which
+// draws its plot itself.
 export function stills(further = {}) {
   const of = (selector, drawOf) => [...document.querySelectorAll(selector)].map((element) => ({element, draw: drawOf(element)}));
   const all = [...of('.plot[data-of]', (plot) => () => {

@@ -1,5 +1,5 @@
-// Colours, plots in the page's style, and how one run is told from another. Asks the document for nothing until it is
-// called, so that what builds figures can be tried without a browser.
+// Colours, the style of plots, and the line styles that distinguish runs. The module reads nothing from the document when it is
+// loaded, so that figures can be tested without a browser.
 
 // A custom property of the style sheet, kept until the theme changes.
 const colors = new Map();
@@ -20,23 +20,23 @@ export const layout = (extra) => ({
   margin: {l: 56, r: 12, t: 8, b: 40}, hovermode: 'x unified',
   hoverlabel: {bgcolor: css('--panel'), bordercolor: css('--line'), font: {color: css('--ink')}}, ...extra});
 export const legendAbove = (extra) => ({orientation: 'h', x: 0, y: 1.02, yanchor: 'bottom', font: {color: css('--ink')}, ...extra});
-// Words above a plot, where they cover no curve, two to a line. notes: {text, color}; margin: with room for them.
+// Notes above a plot, where they do not cover a curve, two in a line. notes: {text, color}. The margin has room for them.
 export const notesAbove = (notes, {l = 56, r = 12, t = 8, b = 40} = {}) => ({margin: {l, r, t: t + 15 * Math.ceil(notes.length / 2), b},
   annotations: notes.length ? [{xref: 'paper', yref: 'paper', x: 0, y: 1, xanchor: 'left', yanchor: 'bottom', align: 'left', showarrow: false, font: {size: 12},
     text: notes.map(({text, color}, k) => `${k === 0 ? '' : k % 2 ? ', ' : '<br>'}<span style="color:${color}">${text}</span>`).join('')}] : []});
-// A legend below the axis' title, in as many rows as its names need. height: what it adds to the margin below, and to the
-// plot's own, so that what is drawn keeps its size.
+// A legend below the axis title, in as many rows as its names need. height: px to add to the bottom margin and to the plot's
+// height, so that the axes keep their size.
 export function legendBelow(names, width) {
   const letter = onPaper() ? 5 : 7, columns = Math.max(1, Math.floor(width / (letter * Math.max(1, ...names.map(({length}) => length)) + 50)));
   return {height: names.length ? 20 * Math.ceil(names.length / columns) : 0,
     legend: {orientation: 'h', x: 0, xref: 'container', y: 0, yref: 'container', yanchor: 'bottom', font: {color: css('--ink'), size: onPaper() ? 7 : 11}}};
 }
-// Makes room for it.
+// Makes room for such a legend.
 export function growBy(plot, height) {
   plot.style.height = '';
   if (height) plot.style.height = `${plot.clientHeight + height}px`;
 }
-// On a logarithmic axis.
+// Properties of a logarithmic axis.
 export const decades = {type: 'log', exponentformat: 'power', dtick: 1};
 
 // Red, green and blue of "#rrggbb", and of a share of the way through a palette of such colours.
@@ -48,10 +48,10 @@ export function shade(share, palette) {
 }
 export const scaleOfColours = (palette) => palette.map((color, k) => [k / (palette.length - 1), color]);
 
-// A run's label, and in full what is to be said of it once.
+// The name of a run for the reader.
 export const nameOf = (label) => label === 'recomputed' ? 'native, recomputed here' : label;
 
-// How a run is told from the others: its colour, and as a second cue dash, width and mark. Native is in front.
+// A run is distinguished by its colour, and also by dash, width and symbol. Native is in front.
 const dashes = {native: 'solid', rigid: 'dash', coulomb: 'dashdot', cone: 'dot', 'cone-coulomb': 'longdashdot', 'cone-default': 'dot',
   shadow: 'dash', measured: 'longdash', recomputed: 'solid'};
 const symbols = {native: 'circle', rigid: 'circle-open', coulomb: 'square-open', cone: 'triangle-up-open', 'cone-coulomb': 'triangle-down-open',
@@ -62,6 +62,6 @@ export const line = (label, front = isFront(label)) =>
   ({color: css(`--${label}`), width: front ? 2.4 : 1.4, dash: dashes[label] || 'dot', simplify: false});
 export const symbol = (label) => symbols[label] || 'cross-open';
 
-// To so many significant digits, with thousands apart; to three as a tick of a colour bar.
+// number: rounded to `digits` significant digits, with thousands separators. short: the same without separators.
 export const number = (value, digits) => Number(value.toPrecision(digits)).toLocaleString('en');
 export const short = (value, digits = 3) => String(Number(value.toPrecision(digits)));

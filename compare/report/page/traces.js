@@ -1,4 +1,4 @@
-// What each plot of a scene shows, as plotly takes it: traces and layout.
+// Builds the plotly figure (traces and layout) of each plot of a scene.
 import {orbitMarks} from './orbits.js';
 import {Track} from './player/tracks.js';
 import {rotorFigure} from './rotor.js';
@@ -8,15 +8,15 @@ import {minusFigure, spreadFigure} from './spread.js';
 import {axes, css, decades, isFront, layout, line, notesAbove, number, symbol, titled} from './style.js';
 import {ranges, whirlFigure} from './whirl.js';
 
-const kBuckets = 700;   // of a trace: two points each
+const kBuckets = 700;   // parts of a trace, each with two points
 const kTurn = 2 * Math.PI;
 
-// Of a trace that scatters over the whole picture dashes would be more scatter.
-const kDashed = 900;  // points
-// What scatters most lies behind, and the judged run thin on top of the native one.
+// Traces with more points are solid, because dashes are unreadable in a trace that scatters over the whole picture.
+const kDashed = 900;
+// The runs that scatter most are drawn first, and the judged run thin on top of the native one.
 const behindFirst = (runs) => [...runs.slice(2), ...runs.slice(0, 2)];
 
-// Of a run: which track a plot over time is of, and its value in the plot's unit.
+// A plot over time: the track of the run that it shows, and the value in the plot's unit.
 const component = (name, factor = 1, c = 0) => ({track: name, read: (run, t) => factor * run.tracks[name].at(t, c)});
 const size = (name, factor = 1) => ({track: name, read: (run, t) => factor * run.tracks[name].length(t)});
 const series = {
@@ -61,7 +61,7 @@ function uncontrolledTraces({scene, number: contact}, key, range) {
     hovertemplate: '%{y:.5g}<extra>without control</extra>'}];
 }
 
-// Every impact a point. `law`: over what it is drawn.
+// The plots with one point per impact: the abscissa, the ordinate and the hover text of each.
 const laws = {
   impacts: {x: 't', y: 'y', text: 't = %{x:.6g} s<br>%{y:.4g} mN s'},
   friction_impacts: {x: 't', y: 'friction', text: 't = %{x:.6g} s<br>%{y:.4g} mN s'},
@@ -75,7 +75,8 @@ function impactTraces(runs, key) {
     hovertemplate: `${law.text}<extra>${label}</extra>`}));
 }
 
-// The laws themselves: after = -eps before, and Coulomb's: against the slip, within +-1 where there is none.
+// The lines of the laws: gap rate after = -eps gap rate before; and Coulomb's law, friction against the slip, within +-1 if
+// there is no slip.
 function lawShapes({contact, runs}, key) {
   const dashed = {color: css('--soft'), width: 1, dash: 'dash'};
   const all = runs.flatMap((run) => run.points[laws[key].x]);
@@ -85,7 +86,7 @@ function lawShapes({contact, runs}, key) {
     [piece(low, 1, 0, 1), piece(0, 1, 0, -1), piece(0, -1, high, -1)];
 }
 
-// Of curves in the plane every instant of `track`, more where it would be coarse.
+// A curve in the plane at every knot of `track`, and at further instants where it would be coarse.
 function curve(run, track, range, read, label, width, dash) {
   const times = run.tracks[track].instants(range[0], range[1], 2 * kBuckets);
   const every = Math.ceil(times.length / (4 * kBuckets)), kept = times.filter((_, k) => k % every === 0);
@@ -101,7 +102,7 @@ const relativePlace = (run, t) => { const p = run.pose(t); return micro([p.rotor
 const relativeTraces = (runs, range) => behindFirst(runs).filter((run) => run.has('rotor') && run.has('gap') && run.ringKnown).map((run) =>
   curve(run, 'gap', range, (t) => relativePlace(run, t), ' relative', isFront(run.label) ? 2.4 : 1.4));
 
-// A run's own points on the characteristic of what drives it. The first actuator axis is (1, 1) / sqrt 2.
+// The points of a run on the characteristic of its actuator or motor. The first actuator axis is (1, 1) / sqrt 2.
 function pathTraces({scene, contact, runs}, key, range) {
   const characteristics = key === 'motor' ? (scene.motor ? [{...scene.motor, name: 'characteristic'}] : []) : contact.actuator;
   const dashed = characteristics.map((c) => ({x: c.x, y: c.y, name: c.name, meta: c.name, type: 'scatter', mode: 'lines',
@@ -114,7 +115,7 @@ function pathTraces({scene, contact, runs}, key, range) {
 }
 
 // The first two runs, native and the contact model that is judged, set the height of a force plot;
-// a run that leaves it says so, rather than flattening the others.
+// a run that exceeds it is named in a note, so that it does not flatten the others.
 export function heightFor(traces) {
   const extent = (list) => list.reduce((e, trace) => trace.y.reduce(
     (f, y) => [Math.min(f[0], y), Math.max(f[1], y)], e), [0, 0]);
@@ -132,13 +133,13 @@ export function heightFor(traces) {
 }
 
 function turnsPlot({contact, runs}, {key, range, hidden}) {
-  // One, but for a run that was computed with another.
+  // All runs have the same clearance, except one that was recomputed with another.
   const radii = [...new Set([contact, ...runs].map(({clearance}) => 1e6 * clearance))].filter((r) => r > 0);
   const circles = radii.map((r) => ({type: 'circle', x0: -r, x1: r, y0: -r, y1: r, line: {color: css('--soft'), width: 1, dash: 'dash'}}));
   const orbit = key === 'orbit', lines = orbit ? orbitTraces(runs, range) : relativeTraces(runs, range);
   const marked = behindFirst(runs).filter((run) => run.has('rotor') && run.has('spin') && (orbit || run.has('gap')));
   const marks = orbitMarks(marked, range, hidden, orbit ? (run, t) => micro(run.pose(t).rotor) : relativePlace);
-  // As wide as high: a contact whose rotor lies still at one side has no strip of a picture.
+  // The picture is square, even if the rotor rests at one side.
   const points = [...lines.flatMap(({x, y}) => x.map((value, k) => [value, y[k]])), ...(orbit ? [] : radii.flatMap((r) => [[-r, -r], [r, r]]))];
   const [x, y] = ranges(points.filter(([value]) => value !== null)) ?? [];
   const square = (range) => ({automargin: false, constrain: 'domain', ...(range && {range})});
@@ -159,7 +160,7 @@ const axisTitles = {normal_law: ['before / (m/s)', 'after / (m/s)'], friction_la
   motor: ['speed / rpm', 'torque / N m'], actuator: ['current / A', 'force / N']};
 const planeFigure = (key, data, shapes = []) => ({data, layout: layout({hovermode: 'closest', shapes, xaxis: titled(axisTitles[key][0]), yaxis: titled(axisTitles[key][1])})});
 
-// Draws a plot of its own, by its key, or one of a kind, by what it is drawn over (run_plots.js).
+// The functions that build figures, by a plot's key, or else by its `over` (run_plots.js).
 const figures = {
   time: timePlot, impacts: timePlot, turns: turnsPlot,
   law: (view, {key}) => planeFigure(key, impactTraces(view.runs, key), lawShapes(view, key)),
@@ -172,6 +173,6 @@ const figures = {
   rotor: ({scene}, {key, width}) => rotorFigure(scene.rotor, key, width),
 };
 
-// view: {scene, number, contact, runs}, at one of the scene's contacts. plot: {key, over, range, hidden: labels of the runs that
-// the reader has put away, width: px}.
+// view: {scene, number, contact, runs}, at one of the scene's contacts. plot: {key, over, range, hidden: labels of hidden runs,
+// width: px}.
 export const sceneFigure = (view, plot) => (figures[plot.key] ?? figures[plot.over])(view, plot);

@@ -11,7 +11,7 @@ export function tradeOf(scenes) {
 }
 
 export function tradeFigure(points) {
-  // One name a scene, on alternating sides: laws of a kind lie close together. A thin line joins its two forces.
+  // Each scene has one label; the sides alternate, because similar laws lie close together. A thin line joins its two forces.
   const sides = ['top right', 'bottom right', 'top left', 'bottom left'];
   const pairs = points.map((p) => ({type: 'line', x0: p.orbit, x1: p.orbit, y0: p.contact, y1: p.actuator,
     line: {color: css('--line'), width: 1}, layer: 'below'}));

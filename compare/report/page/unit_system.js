@@ -1,5 +1,5 @@
-// The units in which a page is read: SI with prefixes, as everything is laid out, or mm and N, or mil and lbf. Texts, tables
-// and figures are converted as they stand, so that whoever writes a part of a page writes it once, in SI.
+// The units of a page: SI with prefixes, in which everything is laid out, or mm and N, or mil and lbf. Finished texts, tables
+// and figures are converted, so that a part of a page is written only once, in SI.
 
 const kPound = 4.4482216152605, kInch = 0.0254;
 // Kind and size in SI of each unit that may be converted.
@@ -20,7 +20,7 @@ export const systems = {
 let chosen = systems.si;
 export const choose = (name) => { chosen = systems[name] ?? systems.si; };
 
-// {unit, factor} of what a unit becomes; null: it stays.
+// {unit, factor} for the conversion of a unit; null if it is not converted.
 export function conversion(unit) {
   const of = kinds.get(unit), into = of && chosen[of.kind];
   return into ? {unit: into[0], factor: of.size / into[1]} : null;
@@ -33,7 +33,7 @@ const withUnit = new RegExp(`(?<![\\w.])(?:(${figure})( to | ± ))?(${figure})( 
 const alone = new RegExp(`^${figure}$`);
 const atEnd = new RegExp(`^((?:.*(?:/ |, )|\\s*)\\(?)(${units})(\\)?\\s*)$`);
 
-// The digits that it had, but at least three.
+// Multiplies a number in a text; it keeps its number of digits, but at least three.
 function times(text, factor) {
   if (factor === 1) return text;
   const plain = text.replace(/,/g, '').replace('−', '-'), digits = plain.replace(/e.*$/, '').replace(/\D/g, '').replace(/^0+/, '').length;
@@ -60,7 +60,7 @@ export const headingInUnits = (title) => title.replace(atEnd, (whole, before, un
   return to ? before + (to.unit.includes('/') && before.endsWith('/ ') ? `(${to.unit})` : to.unit) + after : whole;
 });
 
-// ---------------------------------------------------------------- what is laid out
+// ---------------------------------------------------------------- texts
 
 const kSkipped = 'pre, code, script, .plot, .player, .transport, .what-if, .map-set, .save';
 const written = new Map();  // the text in SI of each node that was converted
@@ -93,7 +93,7 @@ export function convertTexts(root) {
 const scaled = (list, factor) => (list ? Array.from(list, (value) => (typeof value === 'number' ? factor * value : value)) : list);
 const nameOf = (ref, letter) => `${letter}axis${(ref ?? letter).slice(1)}`;
 
-// The words of a hover box, and the numbers that only it shows.
+// The text of a hover box, and the numbers that appear only there.
 const shownValue = new RegExp(`%\\{(\\w+)(?:\\[(\\d+)\\])?(:[^}]*)?\\}(\\)?) (${units})(?![\\w/])`, 'g');
 function hoverInUnits({hovertemplate, customdata}) {
   const factors = new Map();
@@ -112,7 +112,7 @@ function colorbarInUnits({marker}) {
   return to ? {marker: {...marker, colorbar: {...bar, title: {text: to.unit}, ticktext: bar.ticktext.map((text) => times(text, to.factor))}}} : {};
 }
 
-// caption: the unit of an ordinate without a title. Gives {data, layout, factors: of x and y}.
+// caption: the unit of an ordinate without a title. Returns {data, layout, factors: of x and y}.
 export function figureInUnits({data, layout}, caption) {
   if (chosen === systems.si) return {data, layout, factors: {x: 1, y: 1}};
   const factors = {}, made = {...layout}, factorOf = (ref, letter) => (/paper|domain|pixel/.test(ref ?? '') ? 1 : factors[nameOf(ref, letter)] ?? 1);

@@ -1,27 +1,27 @@
-// "What if": sliders of a scene's values. With what they say the native model, in a worker, computes the run again.
+// "What if": sliders for a scene's values. The native model, in a worker, recomputes the run with these values.
 import {unpacked} from './packed.js';
 import {short} from './style.js';
 
-const kRest = 150;    // ms without a move: then it is computed
-const kDigits = 3;    // of what a slider says
+const kRest = 150;    // ms without a movement before the run is computed
+const kDigits = 3;    // significant digits of a slider's value
 
-// The module out of the page, once for all scenes.
+// The module from the page, compiled once for all scenes.
 let compiled;
 function nativeModule() {
   compiled ||= unpacked('native-module').arrayBuffer().then((bytes) => WebAssembly.compile(bytes));
   return compiled;
 }
 
-// As --set takes it: [contact.clearance=0.4 mm].
+// The changes in the form of --set: ["contact.clearance=0.4 mm"].
 export function changesOf(sliders, values) {
   return sliders.flatMap(({key, also, unit}, k) => values[k] === undefined ? [] :
     [key, ...also].map((name) => `${name}=${values[k]}${unit && ` ${unit}`}`));
 }
-// For a shell.
+// The options for a shell command.
 export const commandOf = (changes) => changes.map((change) => ` --set "${change}"`).join('');
 
 export class WhatIf {
-  // element: its place in live_frame.js. asked: {text, name, sliders} (what_if.h). join(answer): what live.cc gives, shown.
+  // element: its place in live_frame.js. asked: {text, name, sliders} (what_if.h). join(answer): shows the result of live.cc.
   constructor(element, asked, join) {
     Object.assign(this, {element, asked, join, values: [], job: 0});
     this.told = element.querySelector('.told');
@@ -55,7 +55,7 @@ export class WhatIf {
     this.compute();
   }
 
-  // A run that is still under way is of no use any more.
+  // Cancels a run that is still in progress.
   async compute() {
     const job = ++this.job, changes = changesOf(this.asked.sliders, this.values);
     this.worker?.terminate();

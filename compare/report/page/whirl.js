@@ -1,5 +1,5 @@
-// Whirl as plotly takes it: full spectrum (forward above 0, backward below), waterfall, Poincaré points, and each
-// run's distance from the first.
+// Plotly figures of whirl: full spectrum (forward above 0, backward below), waterfall, Poincaré points, and each run's
+// distance from the first.
 import {axes, css, decades, layout, line, scaleOfColours, shade, short, symbol, titled} from './style.js';
 
 const low2high = ['#fcfdbf', '#feb078', '#f1605d', '#b73779', '#721f81', '#2c115f', '#000004'];
@@ -18,7 +18,7 @@ function spectrum(scene) {
     xaxis: titled('backward   ←   whirl / Hz   →   forward'), yaxis: titled('µm', decades)})};
 }
 
-// A pixel a cell, time upwards.
+// One pixel per cell; time increases upwards.
 function picture(w) {
   const canvas = document.createElement('canvas'), bytes = Uint8Array.from(atob(w.levels), (c) => c.charCodeAt(0));
   canvas.width = w.columns;
@@ -46,8 +46,8 @@ function waterfall(scene, _range, hidden) {
     xaxis: titled('backward   ←   whirl / Hz   →   forward', {range: w.f.slice()}), yaxis: titled('t / s', {range: [bottom, top]})})};
 }
 
-// [range of x, range of y] about points, no narrower than a tenth of how far they lie from the middle: places that are the
-// same but for a thousandth are one place, not a cloud. Null: nothing to show.
+// [range of x, range of y] around the points, at least a tenth of their largest distance from the centre wide, so that points
+// that are nearly equal appear as one point and not as a cloud. Null if there are no points.
 export function ranges(points) {
   if (!points.length) return null;
   const end = (of, value) => points.reduce((best, p) => of(best, value(p)), value(points[0]));
@@ -74,5 +74,5 @@ function residual(scene, range) {
 }
 
 const figures = {spectrum, waterfall, poincare, residual};
-// hidden: labels of the runs that are put away; range: of time.
+// hidden: labels of hidden runs. range: of time.
 export const whirlFigure = (scene, key, range, hidden) => figures[key](scene, range, hidden);

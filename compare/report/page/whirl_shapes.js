@@ -1,8 +1,8 @@
-// Whirl shapes in space as plotly takes them: a panel for each mode, with the bent shaft and the paths of its points, seen
-// obliquely. The shaft lies to the right, x to the upper right, y upwards.
+// Plotly figures of whirl shapes in space: a panel for each mode, with the bent shaft and the paths of its points, in oblique
+// projection. The shaft points to the right, x to the upper right, y upwards.
 import {css, layout, number} from './style.js';
 
-const reach = 0.28;  // of the largest deflection, of the shaft's length
+const reach = 0.28;  // largest deflection, relative to the shaft's length
 export const inView = (z, x, y) => [z + 0.45 * reach * x, 0.3 * reach * x + reach * y - 0.12 * z];
 
 // A point of a mode at an angle of its path: half-axes r and roundness r, turning with the spin if forward.
@@ -13,7 +13,7 @@ export function pathPoint({sense, roundness}, r, angle) {
 const steps = 40, phase = Math.PI / 5, turned = 0.6 * Math.PI;  // of the drawn shaft; how far ahead the arrow is
 const places = (points) => ({x: points.map(([x]) => x), y: points.map(([, y]) => y)});
 
-// Points along the shaft whose paths are drawn: its stations, and some in between.
+// The points along the shaft whose paths are drawn: the stations and some points in between.
 function pathsOf({z, stations}) {
   const length = z[z.length - 1], nearest = (at) => z.reduce((best, value, k) => (Math.abs(value - at) < Math.abs(z[best] - at) ? k : best), 0);
   const named = new Map();

@@ -1,20 +1,20 @@
-// What all canvases of the player share: sharp pixels, fading lines, fonts.
-// Sizes the canvas to its place on the screen, and clears it. Lengths are then CSS pixels.
+// Functions for all canvases of the player: sharp pixels, fading lines, fonts.
+
+// Fits the canvas to its size on the screen and clears it. Lengths are then CSS pixels.
 export function sharp(canvas) {
   const width = canvas.clientWidth, height = canvas.clientHeight, fine = window.devicePixelRatio || 1;
   if (canvas.width !== Math.round(width * fine) || canvas.height !== Math.round(height * fine)) {
     canvas.width = Math.round(width * fine);
     canvas.height = Math.round(height * fine);
   }
-  // Drawn by the processor: these are thin lines, which a graphics card gains nothing by, and one that is itself
-  // software loses much.
+  // The processor draws the canvas: a graphics card does not speed up thin lines, and software rendering would be much slower.
   const ctx = canvas.getContext('2d', {willReadFrequently: true});
   ctx.setTransform(fine, 0, 0, fine, 0, 0);
   ctx.clearRect(0, 0, width, height);
   return {ctx, width, height};
 }
 
-// A path through places, each [x, y].
+// Draws a path through places, each [x, y].
 export function stroke(ctx, places, color, width, dash = []) {
   ctx.beginPath();
   for (const place of places) ctx.lineTo(...place);
@@ -39,7 +39,7 @@ export function polygon(ctx, places, color) {
   ctx.fill();
 }
 export const disc = (ctx, place, radius, color) => sector(ctx, place, 0, radius, 0, Math.PI, color);
-// A part of a ring, or with `half` = pi all of it.
+// Fills a sector of a ring; `half` = pi fills the whole ring.
 export function sector(ctx, [x, y], inner, outer, angle, half, color) {
   ctx.beginPath();
   ctx.arc(x, y, outer, angle - half, angle + half);
@@ -48,9 +48,9 @@ export function sector(ctx, [x, y], inner, outer, angle, half, color) {
   ctx.fill();
 }
 
-// A line that fades towards its beginning, in bands of one opacity each: a stroke a point would cost more than all
-// the rest of the picture. share(k): of the way to the end that point k stands at, from 0 to 1; joined(k): whether
-// point k goes on from the one before.
+// Draws a line that fades towards its beginning. It has bands of constant opacity, because one stroke per point would cost
+// more than the rest of the picture. share(k): position of point k on the way from the beginning (0) to the end (1).
+// joined(k): true if point k is connected with the previous one.
 const kBands = 12;
 export function fading(ctx, places, color, width, share = (k) => k / (places.length - 1), joined = () => true) {
   ctx.strokeStyle = color;

@@ -1,11 +1,11 @@
-// The time that all pictures of a scene show: sought, stepped, played, slowed down near impacts.
+// The time that all pictures of a scene show. It can be set, stepped and played, and it slows down near impacts.
 import {countUntil} from '../scales.js';
 
-const kSlower = 10;             // times, at an impact
-const kNear = 0.05, kFar = 0.2; // s of film at full pace: within the first of an impact slow, beyond the second not
+const kSlower = 10;             // factor of the slow motion at an impact
+const kNear = 0.05, kFar = 0.2; // s of film at full pace: slowest within kNear of an impact, full pace beyond kFar
 
 export class Clock {
-  // From `from` to `to`, s of the run. show(t) draws; changed() tells that it began or ceased to play.
+  // from, to: s of the run. show(t) is called to draw; changed() is called when playing starts or stops.
   constructor(from, to, show, changed) {
     Object.assign(this, {from, to, show, changed});
     this.t = from;
@@ -31,7 +31,7 @@ export class Clock {
 
   frame(now) {
     if (!this.playing) return;
-    // A page in the background has no frames: what it missed is not made up for.
+    // A page in the background gets no frames, and the clock does not catch up afterwards.
     const passed = this.last === null ? 0 : Math.min(0.1, (now - this.last) / 1000);
     this.last = now;
     this.seek(this.t + passed * this.paceAt(this.t));
@@ -39,7 +39,7 @@ export class Clock {
     else requestAnimationFrame((next) => this.frame(next));
   }
 
-  // s of the run in a second, here.
+  // s of the run per second at t.
   paceAt(t) {
     if (!this.slowing) return this.pace;
     const away = this.toNearestImpact(t) / this.pace;
@@ -53,7 +53,7 @@ export class Clock {
     return Math.min(after, low > 0 ? t - all[low - 1] : Infinity);
   }
 
-  // The next impact that is slowed down at, or the one before.
+  // Goes to the next or the previous impact at which the clock slows down.
   toImpact(direction) {
     const tick = 1e-9 * (this.to - this.from);
     const next = direction > 0 ? this.hard.find((t) => t > this.t + tick) : this.hard.filter((t) => t < this.t - tick).pop();

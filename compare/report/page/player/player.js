@@ -1,6 +1,5 @@
 // The live player of a scene: two runs of the reader's choice under the scene's clock, drawn by rig, section and
-// unrolled gap to common scales, the last two for each contact. state() tells tests, and whoever scripts the page, what
-// is shown.
+// unrolled gap with common scales, the last two for each contact. state() returns what is shown, for tests and scripts.
 import {besideNative} from '../first.js';
 import {isPrinting} from '../page.js';
 import {nameOf} from '../style.js';
@@ -12,7 +11,7 @@ import {Unrolled} from './unrolled.js';
 
 const kPaces = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000];
 const kTurnByKey = 0.1;  // rad
-const kFilm = 25;  // s that a run takes at first
+const kFilm = 25;  // s, duration of a run at the initial pace
 
 export class Player {
   // live: the element that holds player, transport and plots. runs: of run.js; left: those without a rotor to draw.
@@ -25,13 +24,13 @@ export class Player {
     this.chosen = runs.length > 1 ? [0, besideNative(runs)] : [0];
     if (!this.touches) for (const part of this.element.querySelectorAll('.section, .unrolled-figure')) part.remove();
     this.places = [];
-    this.spare = places.slice(this.chosen.length);  // of a run that comes later
+    this.spare = places.slice(this.chosen.length);  // for a run that is added later
     for (const place of this.spare) place.remove();
     for (const place of places.slice(0, this.chosen.length)) this.take(place);
     this.listen();
     this.choose();
   }
-  // One more side of the player. What a run has there of each contact: canvas, readings, mode.
+  // Adds a side to the player. For each contact it has a canvas, readings and the mode.
   take(place) {
     const k = this.places.push({place, feet: [...place.querySelectorAll('.run-foot')].map((foot) =>
       ({section: foot.querySelector('canvas.section'), list: foot.querySelector('.readings'), mode: (foot.querySelector('.mode') || place.querySelector('.mode'))}))}) - 1;
@@ -40,7 +39,7 @@ export class Player {
     select.addEventListener('change', () => { this.chosen[k] = Number(select.value); this.choose(); });
     this.turnBy(place.querySelector('canvas.rig'));
   }
-  // A run that was computed here, shown beside the first; in the place of the one before, wherever that is shown.
+  // Shows a run that was computed in the page beside the first one, or in place of the previously computed run.
   join(run) {
     const before = this.runs.findIndex(({label}) => label === run.label);
     if (before < 0) {
@@ -71,7 +70,7 @@ export class Player {
     on('.seek', 'input', (event) => this.clock.seek(Number(event.target.value)));
     on('.slowing', 'change', (event) => { this.clock.slowing = event.target.checked; });
     on('.outline', 'change', () => this.draw());
-    // Lists, boxes and buttons have keys of their own.
+    // Lists, checkboxes and buttons handle some keys themselves.
     const keys = (event) => {
       const {tagName, type} = event.target;
       if (tagName !== 'SELECT' && type !== 'checkbox' && !(tagName === 'BUTTON' && event.key === ' ')) this.clock.key(event);
@@ -110,7 +109,8 @@ export class Player {
     canvas.addEventListener('dblclick', () => { this.rig.turnBack(); this.draw(); });
   }
 
-  // Other runs, other scales: forces and impulses in full are those of the first run that has any, at all its contacts.
+  // Updates the scales for the chosen runs. The longest arrows are the forces and impulses of the first run that has any, over
+  // all its contacts.
   choose() {
     const {scene} = this, alone = this.chosen.length < 2;
     this.element.classList.toggle('alone', alone);
@@ -120,10 +120,10 @@ export class Player {
     const all = (of) => Math.max(...this.shown.map((run) => most(run, of)));
     this.scales = {force: first((run) => run.forces.usual), impulse: first((run) => run.largestImpulse),
       control: all((run) => run.largest('control')), current: all((run) => run.largest('current'))};
-    // Those of the first run that has any: a contact that bounces would slow down the whole film.
+    // Only the impacts of the first run that has any, because a bouncing second run would slow down the whole film.
     const hits = this.shown.map((run) => run.contacts.flatMap((at) => at.hardImpacts)).find((times) => times.length) || [];
     this.clock.hard = [...new Set(hits)].sort((a, b) => a - b);
-    // The widest clearance of those that are shown sets the size of all.
+    // The widest clearance of the shown runs sets the size of all pictures.
     this.pictures = !this.touches ? [] : scene.contacts.map((of, c) => {
       const contact = {...of, clearance: Math.max(...this.shownAt(c).map(({clearance}) => clearance))};
       return {sections: this.places.map(({feet}) => new Section(feet[c].section, contact, this.scales)),
@@ -134,7 +134,7 @@ export class Player {
     this.draw();
   }
 
-  // Null where there is no WebGL.
+  // Makes the rig once; this.rig is null without WebGL.
   makeRig() {
     if (this.rig !== undefined) return;
     this.rig = Rig.available() ? new Rig(this.scene) : null;
@@ -178,7 +178,7 @@ export class Player {
     if (!this.clock.playing) this.describe();
     this.firstFlat = this.firstFlat || performance.now();
     this.showTime(t);
-    // Flat pictures first: the rig asks for a WebGL context and its shaders.
+    // The flat pictures come first, because the rig needs a WebGL context and shaders.
     if (this.rig) {
       this.rigs = this.shown.map((run, k) => this.rig.draw(this.places[k].place.querySelector('canvas.rig'), run,
         poses.map((shown) => shown[k].pose), this.scales, spans[k]));
@@ -187,14 +187,14 @@ export class Player {
     else this.firstDrawn = this.firstDrawn || performance.now();
   }
 
-  // Shows the instant t, or where it is null the clock's.
+  // Shows the instant t, or the clock's time if t is null.
   look(t) {
     this.looked = t;
     this.draw();
     this.showTime(t ?? this.clock.t);
   }
 
-  // For who does not see the pictures.
+  // Describes the pictures for screen readers.
   describe() {
     this.places.forEach(({place, feet}, k) => { feet.forEach(({section, list}, c) => {
       const readings = [...list.children].map((row) => [...row.children].map((e) => e.textContent).join(' ')).join('; ');
@@ -219,8 +219,8 @@ export class Player {
     play.setAttribute('aria-label', playing ? 'pause' : 'play');
   }
 
-  // What is shown, SI; a copy: poses, sections and the unrolled gap of the first contact, `others` of the further ones.
-  // first_flat, first_drawn: ms after the page's start, when all but the rig was drawn, and when all of it was.
+  // A copy of what is shown, SI: poses, sections and the unrolled gap of the first contact; `others` has those of the further
+  // contacts. first_flat, first_drawn: ms from the page's start until all but the rig was drawn, and until all was.
   state() {
     const {clock} = this;
     const [first, ...others] = this.scene.contacts.map(({name}, c) => ({name, poses: this.shownAt(c).map((run) => run.pose(clock.t)),

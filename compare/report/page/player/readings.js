@@ -2,8 +2,8 @@
 import {units} from './units.js';
 
 const pair = (values, unit) => values.map(unit).join(', ');
-// Name and text of each; null where the run does not have it. Signs as in the series: see the page's plots. What is
-// not of a contact stands beside the first one alone.
+// Name and text of each reading; null if the run does not have it. Signs are as in the series (see the page's plots). Readings
+// that do not belong to a contact appear only beside the first one.
 const kinds = [
   ['gap', (p, run) => p.gap === null ? null : units.gap(p.gap, run.finest)],
   ['gap rate', (p) => p.gapRate === null ? null : units.speed(Math.abs(p.gapRate) < 1e-6 ? 0 : p.gapRate)],
@@ -21,7 +21,7 @@ const kinds = [
   ['rotor x, y', (p) => pair(p.rotor, units.length)],
 ];
 
-// Of a run at one of its contacts. places: {list, mode}, the elements.
+// Shows the readings of a run at one of its contacts. list, mode: the elements.
 export function showReadings({list, mode}, run, pose) {
   const inside = run.within(pose.t);
   const rows = !inside ? [] : kinds.map(([name, text]) => [name, text(pose, run)]).filter(([, text]) => text !== null);

@@ -5,7 +5,7 @@ import {css, number} from '../style.js';
 import {font, sharp} from './canvas.js';
 import {rigParts} from './rig_parts.js';
 
-const kSides = 20;           // of the shaft
+const kSides = 20;           // number of sides of the drawn shaft
 const kTrailPoints = 160;
 const kCut = [3.7, 7.9];     // rad: the part of a ring that is kept; what is cut away faces the camera
 const kView = {around: -0.45, above: 0.3};  // rad, of the camera
@@ -15,7 +15,7 @@ function renderer() {
   if (shared !== null) return shared;
   shared = false;
   const canvas = document.createElement('canvas');
-  // Asked for without three.js, which reports a failure as an error of the page.
+  // The context is requested without three.js, which would report a failure as an error of the page.
   const context = canvas.getContext('webgl2', {antialias: true, alpha: true, preserveDrawingBuffer: true});
   if (context) {
     shared = new THREE.WebGLRenderer({canvas, context, antialias: true, alpha: true});
@@ -25,7 +25,7 @@ function renderer() {
 }
 
 export class Rig {
-  // Of a scene's data. Only where available().
+  // The argument is a scene's data. Call it only if available().
   constructor({rig: values, contacts}) {
     this.values = values;
     this.contacts = contacts.filter((contact) => contact.touches);
@@ -37,7 +37,7 @@ export class Rig {
     const sun = new THREE.DirectionalLight(0xffffff, 0.5);
     sun.position.set(-0.5, -2, 3);
     this.scene.add(sun);
-    // At each contact the rotor's trail, and the arrows of normal and friction force.
+    // Each contact has the rotor's trail and the arrows of normal and friction force.
     this.trails = this.contacts.map(() => {
       const trail = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial());
       trail.geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(3 * (kTrailPoints + 1)), 3));
@@ -87,7 +87,7 @@ export class Rig {
     return {t: pose.t, stations: line.length, largest: line.reduce((most, p) => Math.max(most, Math.hypot(...p)), 0)};
   }
 
-  // A record of one station: what the shaft does beside it is not known, and not drawn.
+  // A measured record has one station; the rest of the shaft is unknown, so it is not drawn.
   unseen(ctx, pose) {
     ctx.font = font(12);
     ctx.fillStyle = css('--soft');
@@ -97,7 +97,7 @@ export class Rig {
 
   aim(aspect) {
     const {around, above} = this.view, target = new THREE.Vector3(0.45, 0, -0.04);
-    // As far as the whole length asks for, in narrow pictures farther.
+    // The camera is so far away that the whole length is visible, farther in narrow pictures.
     const far = Math.max(0.72 / aspect, 0.29) / Math.tan(0.5 * this.camera.fov * Math.PI / 180);
     const place = new THREE.Vector3(Math.sin(around) * Math.cos(above), -Math.cos(around) * Math.cos(above), Math.sin(above));
     this.camera.up.set(0, 0, 1);

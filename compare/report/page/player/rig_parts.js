@@ -106,7 +106,7 @@ export function rigParts(values, contacts, {sides, cut}) {
   });
   for (const contact of contacts) onShaft(contact.z, contact.drawn_radius, 1.25 * contact.half_width, '--rotor-body');
 
-  // -------------------------------------------------- what holds it
+  // -------------------------------------------------- supports
   const floor = Math.min(-0.16, ...values.discs.map((d) => -d.radius - 0.03), ...contacts.map(({drawn_radius: radius}, c) => -bores[c] - 0.5 * radius - 0.05), 0);
   values.bearings.forEach((station) => {
     const bore = 1.08 * Math.max(...radii);

@@ -1,9 +1,9 @@
-// A run as the pictures ask for it at one contact: where everything is at a time, its impacts, its force scales.
+// A run at one contact, for the pictures: positions at a time, impacts, force scales.
 import {countUntil} from '../scales.js';
 import {Track} from './tracks.js';
 
 const kModes = ['free', 'slide', 'stick'];
-// What a run has of each contact; of the further ones the names begin with contact2_, contact3_, ...
+// The tracks that a run has for each contact; for the further contacts the names begin with contact2_, contact3_, ...
 const kOfEach = ['rotor', 'ring', 'gap', 'normal', 'friction', 'force', 'mode', 'impacts', 'control', 'current', 'ring_spin', 'ring_speed'];
 
 // The tracks as the contact of this number (from 0) has them.
@@ -14,7 +14,7 @@ export function tracksAt(tracks, number) {
   return Object.fromEntries([...shared, ...own]);
 }
 
-// Of a side of the scene: at its first contact; `contacts` has it at each.
+// Makes the run of a side of the scene at its first contact; `contacts` has the run at each contact.
 export function runOf(side, scene) {
   const tracks = Object.fromEntries(Object.entries(side.tracks).map(([name, packed]) => [name, new Track(packed)]));
   const contacts = scene.contacts.map((contact, number) => new Run(side, contact, number, tracks));
@@ -35,7 +35,7 @@ export class Run {
     this.points = side.impacts[number];
     this.longestImpact = side.longest_impact ?? Infinity;  // s, with a soft contact
     this.tracks = tracksAt(tracks, number);
-    // A ring that does not move is where it is without being measured.
+    // The position of a ring that does not move is known without a measurement.
     this.ringKnown = !this.measured || 'ring' in this.tracks || !contact.ring_moves;
     this.start = this.tracks.rotor ? this.tracks.rotor.time(0) : 0;
     this.end = this.tracks.rotor ? this.tracks.rotor.time(this.tracks.rotor.knots - 1) : 0;
@@ -43,7 +43,7 @@ export class Run {
     for (let k = 1; this.tracks[`bend_${k}`]; ++k) this.bends.push(this.tracks[`bend_${k}`]);
   }
 
-  // Whether there is anything of the rotor at t: a record may begin late, end early, and have holes.
+  // True if the rotor's position is known at t: a record may begin late, end early and have holes.
   within(t) {
     if (!this.has('rotor') || !this.measured) return this.has('rotor');
     return t >= this.start - 1e-9 && t <= this.end + 1e-9 && !(this.holes.rotor || []).some(([from, to]) => t > from && t < to);
@@ -52,8 +52,8 @@ export class Run {
   value(name, t, c = 0) { return this.has(name) ? this.tracks[name].at(t, c) : null; }
   pair(name, t) { return this.has(name) ? [this.tracks[name].at(t, 0), this.tracks[name].at(t, 1)] : null; }
 
-  // All of one instant, SI; null for what the run does not have. e: from the ring's centre to the rotor's, of length
-  // 1 (0, 0 where they coincide). The rotor's place in the ring follows the gap, which is the finer of the two.
+  // All values at one instant, SI; null for values that the run does not have. e: unit vector from the ring's centre to the
+  // rotor's ([0, 0] if they coincide). The rotor's position in the ring is taken from the gap, which is more accurate.
   pose(t) {
     const ring = this.pair('ring', t) || [0, 0];
     let rotor = this.pair('rotor', t) || ring;
@@ -84,12 +84,13 @@ export class Run {
     }
     return this.strikes;
   }
-  // How many impacts are at or before t.
+  // The number of impacts at or before t.
   impactsUntil(t) { return countUntil(this.impacts, t, (impact) => impact.t); }
-  // Those in (from, t].
+  // The impacts in (from, t].
   impactsBetween(from, t) { return this.impacts.slice(this.impactsUntil(from), this.impactsUntil(t)); }
   get largestImpulse() { return this.impacts.reduce((most, i) => Math.max(most, i.normal), 0); }
-  // Times of the first impact and of those above a fifth of the largest; a tick after, where the rebound has begun.
+  // Times of the first impact and of all impacts above a fifth of the largest; shortly after the impact, when the rebound has
+  // begun.
   get hardImpacts() {
     const least = 0.2 * this.largestImpulse, tick = this.tracks.gap ? 2 * this.tracks.gap.packed.tick : 0;
     return this.impacts.filter((i, k) => k === 0 || i.normal >= least).map((i) => i.t + tick);
@@ -105,14 +106,14 @@ export class Run {
     }
     return this.scale;
   }
-  // m: how far the rotor is in the ring at most.
+  // m: the largest penetration.
   get deepest() {
     const track = this.tracks.gap;
     if (!track) return 0;
     track.unpack();
     return track.values[0].reduce((most, gap) => Math.max(most, -gap), 0);
   }
-  // Of control or current: the greatest length.
+  // The largest magnitude of control or current.
   largest(name) {
     const track = this.tracks[name];
     if (!track) return 0;

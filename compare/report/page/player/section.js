@@ -1,14 +1,14 @@
 // The cross-section at the contact, on a canvas: circles with the clearance magnified, so that they touch when rotor
-// and ring do; forces and impulses to the scales that all runs share; orbit with trail and keyphasor.
+// and ring do; forces and impulses in the common scales of all runs; the orbit with trail and keyphasor.
 import {css} from '../style.js';
 import {circle, disc, fading, font, polygon, sector, sharp, stroke} from './canvas.js';
 import {units} from './units.js';
 
 const kMargin = 1.1;
-const kRingWidth = 0.42;   // of the rotor's radius
-const kForceReach = 0.85;  // of the rotor's radius: an arrow of the scale's full force
+const kRingWidth = 0.42;   // relative to the rotor's radius
+const kForceReach = 0.85;  // length of the longest force arrow, relative to the rotor's radius
 const kTrailPoints = 240;
-const kLegend = 50;        // px, below
+const kLegend = 50;        // px, height of the legend below the picture
 
 export class Section {
   // contact: of the scene. scales: of player.js, shared by all sections.
@@ -17,7 +17,7 @@ export class Section {
     this.drawn = {};
   }
 
-  // Pixels: R rotor's radius; `magnified` of a metre of displacement.
+  // Lengths in pixels. radius: of the rotor. magnified: pixels per metre of displacement.
   layout() {
     const {canvas, contact} = this;
     const ratio = contact.section_magnification / contact.radius;  // of the rotor's radius, a metre displaced
@@ -34,7 +34,7 @@ export class Section {
     if (!run.within(pose.t)) return;  // a record without samples here: nothing is known, nothing is drawn
     Object.assign(this.drawn, {rotor: true, ring: run.ringKnown});
     ctx.save();
-    // y upwards, as in the scene; the picture goes with the ring, and the axes show where its place at rest is.
+    // y points upwards, as in the scene. The picture follows the ring; the axes show the ring's position at rest.
     ctx.translate(l.width / 2 - l.magnified * pose.ring[0], l.middle + l.magnified * pose.ring[1]);
     ctx.scale(1, -1);
     this.axes(l, pose);
@@ -98,10 +98,10 @@ export class Section {
   }
 
   trail(l, run, t, span) {
-    // In the ring, and so within the dashed circle: the ring has moved meanwhile.
+    // The trail is relative to the ring, which has moved meanwhile, so that the trail stays within the dashed circle.
     const {ctx} = l, points = run.trail(t, span, kTrailPoints), now = points[points.length - 1], color = css(`--${run.label}`);
     const inRing = (p) => this.at(l, [0, 1].map((c) => p.rotor[c] - p.ring[c] + now.ring[c]));
-    // Where the rotor's centre may go.
+    // The circle that limits the rotor's centre.
     if (run.ringKnown) circle(ctx, this.at(l, now.ring), l.magnified * run.clearance, css('--soft'), 1, [4, 4]);
     fading(ctx, points.map(inRing), color, 2);
     const pulses = run.pulses(points[0].t, t);
@@ -110,7 +110,7 @@ export class Section {
     Object.assign(this.drawn, {trail: points.length, pulses: pulses.length});
   }
 
-  // Impacts of the trail's time: from the bore outwards, fading.
+  // Draws the impacts during the trail's time as fading stems from the bore outwards.
   stems(l, run, pose, span) {
     const {ctx} = l, bore = l.bore, [x, y] = this.at(l, pose.ring), color = css('--impact');
     for (const impact of run.impactsBetween(pose.t - span, pose.t)) {
@@ -147,7 +147,7 @@ export class Section {
     });
   }
 
-  // A force from a place; one beyond the scale ends in a double head.
+  // Draws a force as an arrow; a force beyond the scale has a double head.
   arrow(l, name, from, force, full, color) {
     const size = Math.hypot(force[0], force[1]), {ctx} = l;
     if (!(size > 0) || !(full > 0)) return;
@@ -164,7 +164,7 @@ export class Section {
   }
   clipped(ctx, [x, y], [c, s], color) { this.head(ctx, [x + 9 * c, y + 9 * s], [c, s], 10, color); }
 
-  // What a length of the picture stands for.
+  // The scale bars below the picture.
   legend(l, {clearance}) {
     const {ctx, height} = l, {force, impulse} = this.scales;
     const gap = l.magnified * clearance;

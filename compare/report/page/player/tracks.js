@@ -1,13 +1,14 @@
-// Packed tracks (compare/report/pack/track.h): unpacked when first asked, read at any time.
+// Packed tracks (compare/report/pack/track.h). They are unpacked at the first use and can be read at any time.
 import {countUntil} from '../scales.js';
 
-// Cubic Hermite over h at share s of it, and its rate.
+// The cubic Hermite polynomial over h at the fraction s, and its rate.
 const cubic = (a, da, b, db, h, s) =>
   (1 - s) * (1 - s) * ((1 + 2 * s) * a + s * h * da) + s * s * ((3 - 2 * s) * b - (1 - s) * h * db);
 const cubicRate = (a, da, b, db, h, s) =>
   6 * s * (1 - s) * (b - a) / h + (1 - s) * (1 - 3 * s) * da + s * (3 * s - 2) * db;
 
-// Whole numbers: differences, zigzag, seven bits a byte. Times beyond 2^31 ticks forbid bit operations.
+// Decodes whole numbers: differences in zigzag form, seven bits per byte. Times exceed 2^31 ticks, so bit operations cannot be
+// used.
 function column(bytes, place, count, unit) {
   const numbers = new Float64Array(count);
   let number = 0;
@@ -44,13 +45,13 @@ export class Track {
     this.packed.data = null;
   }
 
-  // Of knot k, s.
+  // s, the time of knot k.
   time(k) {
     this.unpack();
     return this.packed.start + this.ticks[k] * this.packed.tick;
   }
 
-  // A time in whole ticks, as the knots are: at a sample it is at the sample.
+  // The time in whole ticks, as for the knots, so that a sample's time gives exactly the sample.
   toTicks(t) { return Math.round((t - this.packed.start) / this.packed.tick); }
 
   // The last knot at or before a time in ticks; -1: none.
@@ -75,7 +76,7 @@ export class Track {
     return this.packed.floored ? Math.max(between, Math.min(y[k], y[k + 1], 0)) : between;
   }
 
-  // Per second, of a hermite track; at a jump after it.
+  // The rate of a hermite track, per second; at a jump, the rate after it.
   rate(t, c = 0) {
     if (this.knots === 0) return 0;
     const now = this.toTicks(t), k = this.before(now), v = this.rates[c];
@@ -91,8 +92,8 @@ export class Track {
     return Math.sqrt(square);
   }
 
-  // Times that a line through [from, to] needs to miss nothing: every knot (with `jumps` also a tick before it),
-  // and where the track is curved points in between.
+  // The times at which a line through [from, to] must be sampled: every knot (with `jumps` also a tick before it), and where
+  // the track is curved also points in between.
   instants(from, to, count, jumps = false) {
     const first = Math.max(0, this.before(this.toTicks(from)) + 1);
     const last = this.before(this.toTicks(to));

@@ -1,7 +1,7 @@
 // Figures with their units, in the system that the reader chose (unit_system.js).
 import {inUnits} from '../unit_system.js';
 
-// To three digits, with the prefix that suits it.
+// The value with three digits and a suitable prefix.
 function figure(value, units) {
   if (value === 0) return inUnits(`0 ${units.find(([one]) => one === 1)[1]}`);
   const [size, unit] = units.find(([least]) => Math.abs(value) >= least * 0.9995) || units[units.length - 1];
@@ -20,7 +20,7 @@ export const units = {
   gap: (v, finest) => Math.abs(v) < finest ? '0' : v < 0 ? `${figure(-v, lengths)} deep` : figure(v, lengths),
   rpm: (v) => `${Math.round(v * 30 / Math.PI).toLocaleString('en')} rpm`,
   time: (v) => `${v.toFixed(6)} s`,
-  // A length of time, such as a step.
+  // A duration, such as a time step.
   duration(v) {
     const [size, unit] = v < 1e-3 ? [1e-6, 'µs'] : v < 0.1 ? [1e-3, 'ms'] : [1, 's'];
     return `${Number((v / size).toPrecision(6))} ${unit}`;

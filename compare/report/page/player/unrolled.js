@@ -1,23 +1,23 @@
-// The gap unrolled: over the angle, how far the rotor's surface is from the ring's, in micrometres to millimetres on a
-// logarithmic scale. Surfaces of two circles whose centres are delta apart towards psi: to first order in the clearance
-//   gap(theta) = clearance - delta cos(theta - psi),
-// least at psi, where it is the gap. Below the contact's line penetration, to the same scale.
+// The unrolled gap: the distance between the surfaces of rotor and ring over the angle, on a logarithmic scale from micrometres
+// to millimetres. For two circles whose centres are delta apart in the direction psi it is, to first order in the clearance,
+//   gap(theta) = clearance - delta cos(theta - psi).
+// It is smallest at psi, where it equals the gap. Penetration is below the contact's line, in the same scale.
 import {css} from '../style.js';
 import {fading, font, polygon, sharp, stroke} from './canvas.js';
 import {units} from './units.js';
 
-const kTolerances = 10 / 3;  // of the gap's: less is drawn as contact; 0.1 um where the clearance is common
-const kRoom = 0.3;     // decades below the line without penetration: for the marks of impacts
+const kTolerances = 10 / 3;  // times the gap's tolerance (0.1 um for a usual clearance): a smaller gap is drawn as contact
+const kRoom = 0.3;     // decades below the line without penetration, for the marks of impacts
 const kPoints = 361, kTrailPoints = 400;
 
-// Places of gaps, in decades above the line of contact: to twice the clearance; below it where a run penetrates.
+// The scale of gaps, in decades from the line of contact: up to twice the clearance, and below the line if a run penetrates.
 export function unrolledScale({clearance, gap_tolerance: tolerance}, deepest) {
   const finest = kTolerances * tolerance, deep = deepest > finest;
   const above = Math.log10(2.2 * clearance / finest);
   const below = deep ? Math.min(Math.log10(deepest / finest) + 0.1, above) : kRoom;
   return {finest, deep, above, below, decades: (gap) => Math.sign(gap) * Math.max(0, Math.log10(Math.abs(gap) / finest) || 0)};
 }
-// Of the surfaces at an angle, of two circles whose least gap is at pose.angle.
+// The gap between the surfaces at the angle theta; the least gap is at pose.angle.
 export const gapAt = (clearance, pose, theta) => clearance - (clearance - pose.gap) * Math.cos(theta - pose.angle);
 
 export class Unrolled {
@@ -95,12 +95,12 @@ export class Unrolled {
     l.ctx.globalAlpha = 1;
   }
 
-  // The way of the least gap, until now.
+  // Draws the path of the least gap up to now.
   trail(l, run, t, span, color) {
-    // Every knot of the gap: a touch of a few microseconds is no more than one or two.
+    // Uses every knot of the gap, because a touch of a few microseconds has only one or two.
     const points = run.tracks.gap.instants(t - span, t, kTrailPoints).map((time) => run.pose(time));
     if (points.length < 2) return;
-    // Not from one edge of the picture to the other, round the back.
+    // No line connects the two edges of the picture where the angle wraps around.
     fading(l.ctx, points.map((p) => [l.x(p.angle), l.y(p.gap)]), color, 2.2,
       (k) => 1 - (t - points[k].t) / span, (k) => Math.abs(points[k].angle - points[k - 1].angle) < Math.PI);
   }
@@ -114,7 +114,7 @@ export class Unrolled {
     l.ctx.globalAlpha = 1;
   }
 
-  // The first run a disc, the second a square.
+  // Marks the present position: a disc for the first run, a square for the second.
   now(l, run, pose, color, k) {
     const {ctx} = l, x = l.x(pose.angle), y = l.y(pose.gap);
     ctx.fillStyle = color;
