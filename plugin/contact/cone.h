@@ -41,8 +41,10 @@ void set_friction_reference(const mjModel* m, mjData* d, const mjContact& contac
 //
 // Third, the friction rows slow the slip by the B of the restitution, which is small for e near 1,
 // so that in an oblique impact they produce less than mu N. With the corrected normal reference a
-// large B_t lifts nothing, so the friction rows use B_t = 1 / h for any B: a slip stops within a
-// step.
+// large B_t lifts nothing, so the friction rows use B_t = 1 / (2 h) for any B: each step halves a
+// slip that friction can stop. With B_t = 1 / h, which stops it in one step, the contact of a ring
+// whose tangent turns within the step opens and closes in turn under strong friction
+// (mjcf/hard/friction_ten.toml), although slips end a little more accurately elsewhere.
 //
 // |z| is unknown before the solution. If none of several contacts slides in MuJoCo's solution
 // without a shift, that solution is Coulomb's and is kept. Otherwise each group of contacts that is

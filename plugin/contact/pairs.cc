@@ -35,11 +35,11 @@ void give_way(const ContactPair& pair, const ContactPoint& point, const mjModel*
 }
 
 void apply_cones(const Config& config, const mjModel* m, mjData* d, PassMotion& motion) {
-  const double stops_slip = 1.0 / m->opt.timestep;  // 1/s, B_t of corrected contacts
+  const double halves_slip = 0.5 / m->opt.timestep;  // 1/s, B_t of corrected contacts
   std::vector<SlidingContact> corrected;
   for (const int pair : config.corrected_pairs) {
     for_each_solved(d, m->pair_geom1[pair], m->pair_geom2[pair], [&](const mjContact& c) {
-      set_friction_reference(m, d, c, stops_slip);
+      set_friction_reference(m, d, c, halves_slip);
       corrected.push_back({&c, {}});
     });
   }
@@ -52,7 +52,7 @@ void apply_cones(const Config& config, const mjModel* m, mjData* d, PassMotion& 
         give_way(pair, motion.of(pair).point(), m, d, c);
         corrected.push_back({&c, {}});
       } else if (pair.contact_model == scene::ContactModel::kConeCoulomb) {
-        set_friction_reference(m, d, c, stops_slip);
+        set_friction_reference(m, d, c, halves_slip);
         const ContactPoint point = motion.of(pair).point();
         corrected.push_back({&c, point.whirl_speed() * point.whirl_speed() / point.delta});
       } else if (pair.friction_reference > 0.0) {

@@ -93,6 +93,20 @@ TEST(ConeCoulomb, KeepsARubWithTheRightForce) {
   }
 }
 
+// At a friction of 10 the rotor rolls round the ring at thousands of rad/s, so that the tangent turns
+// noticeably within a step. Friction rows that stop a slip within one step opened the contact in
+// every other step here, with twice the friction work.
+TEST(ConeCoulomb, KeepsRollingUnderStrongFriction) {
+  const scene::Scene scene = shipped("hard/friction_ten");
+  const Trajectory native = attempt_event(scene);
+  for (const double step : {2e-5, 1e-5, 5e-6}) {
+    SCOPED_TRACE(step);
+    const Rubbing r = rubbing(scene, scene::ContactModel::kConeCoulomb, step);
+    EXPECT_GT(r.contact, 1.0 - 1e-9);
+    EXPECT_NEAR(r.whirl, whirl_speed(native, native.rows() - 1), 2e3 * step * std::abs(r.whirl));
+  }
+}
+
 // Theory.md (48), of a rub that circles at the exact whirl with gap 0; the ring's friction opposes
 // the spin.
 double border(const scene::Scene& s, double step) {
