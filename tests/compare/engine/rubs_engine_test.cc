@@ -93,9 +93,9 @@ TEST(ConeCoulomb, KeepsARubWithTheRightForce) {
   }
 }
 
-// At a friction of 10 the rotor rolls round the ring at thousands of rad/s, so that the tangent turns
-// noticeably within a step. Friction rows that stop a slip within one step opened the contact in
-// every other step here, with twice the friction work.
+// At a friction of 10 the rotor rolls round the ring at thousands of rad/s, so that the tangent
+// turns noticeably within a step. Friction rows that stop a slip within one step opened the contact
+// in every other step here, with twice the friction work.
 TEST(ConeCoulomb, KeepsRollingUnderStrongFriction) {
   const scene::Scene scene = shipped("hard/friction_ten");
   const Trajectory native = attempt_event(scene);
