@@ -1,4 +1,4 @@
-// The closed loop of magnetic bearings as plotly takes it, from what loop_page.h gives: sensitivities with the zones of
+// The closed loop of magnetic bearings as plotly takes it, from rotor_data.js: sensitivities with the zones of
 // ISO 14839-3, and answers to a step of force.
 import {axes, css, layout, legendAbove as legend, titled} from './style.js';
 

@@ -1,4 +1,4 @@
-// The free rotor as plotly takes it, from {campbell, shapes, bode, stiffness} (modes_page.h): here mode shapes at rest.
+// The free rotor as plotly takes it, from {campbell, shapes, bode, stiffness} (rotor_data.js): here mode shapes at rest.
 import {campbellFigure, dampingFigure, decrementFigure} from './campbell.js';
 import {bodeFigure, polarFigure, stiffnessFigure} from './response.js';
 import {axes, css, layout, legendAbove as legend, number} from './style.js';
