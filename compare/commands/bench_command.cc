@@ -12,8 +12,8 @@
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
-#include "compare/report/bench_page.h"
 #include "compare/report/beside.h"
+#include "compare/report/command_pages.h"
 #include "compare/result/result.h"
 #include "native_model/trajectory/output.h"
 

@@ -10,7 +10,6 @@
 
 #include "compare/base/columns.h"
 #include "compare/commands/terminal.h"
-#include "compare/report/bifurcation_plot.h"
 #include "compare/report/page.h"
 #include "compare/report/sweep_page.h"
 #include "compare/result/result.h"

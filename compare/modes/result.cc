@@ -355,6 +355,7 @@ std::vector<Part> driven_parts(const RubAnalysis& analysis) {
 
 // The lasting rubs of every contact, below the place of each speed.
 std::vector<Part> rubs_parts(const RotorAnalysis& analysis) {
+  if (analysis.rubs.empty()) return {};
   std::vector<Part> parts{Data{"rub_refused", text_or_null(analysis.rubs.front().refused)}};
   for (std::size_t k = 0; k < analysis.rubs.size(); ++k) {
     const RubAnalyses& rubs = analysis.rubs[k];

@@ -54,10 +54,6 @@ json branches_json(const RubBranches& all) {
   return branches;
 }
 
-json axis_json(const MapAxis& axis) {
-  return {{"key", axis.key}, {"unit", axis.unit}, {"values", axis.values}};
-}
-
 // A row of the table for people.
 struct NamedPoint {
   const RubOnBranch* at;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "native_model/linear/rub_system.h"
@@ -15,6 +16,10 @@ RubKeyMap::RubKeyMap(const rub::RubMap& map)
     : across{kSpeedKey, "rad/s", map.speeds},
       up{kFrictionKey, "", map.frictions},
       points(map.points.begin(), map.points.end()) {}
+
+nlohmann::json axis_json(const MapAxis& axis) {
+  return {{"key", axis.key}, {"unit", axis.unit}, {"values", axis.values}};
+}
 
 RubKeyMap rub_key_map(const scene::Variants& scenes, const MapAxis& across, const MapAxis& up,
                       const std::function<void(double)>& progress) {

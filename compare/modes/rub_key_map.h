@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ struct MapAxis {
   std::string unit;  // SI; empty if dimensionless
   std::vector<double> values;
 };
+
+// {"key", "unit", "values"}
+nlohmann::json axis_json(const MapAxis& axis);
 
 // If rotor.speed varies, each load keeps its ratio to the spin (rub::at_speed).
 inline constexpr const char* kSpeedKey = "rotor.speed";

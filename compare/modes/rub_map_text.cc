@@ -60,10 +60,7 @@ json rub_map_json(const RubKeyMap& map) {
     points.push_back(point ? result::json_of(rub_point_result(*point)) : json(nullptr));
   if (map.of_speed_and_friction())
     return {{"speeds", map.across.values}, {"frictions", map.up.values}, {"points", points}};
-  const auto axis = [](const MapAxis& of) -> json {
-    return {{"key", of.key}, {"unit", of.unit}, {"values", of.values}};
-  };
-  return {{"across", axis(map.across)}, {"up", axis(map.up)}, {"points", points}};
+  return {{"across", axis_json(map.across)}, {"up", axis_json(map.up)}, {"points", points}};
 }
 
 Section rub_map_picture(const std::string& name, const RubKeyMap& map) {
@@ -128,23 +125,29 @@ nlohmann::json state_space_json(const scene::Scene& scene, const LinearPlant& pl
 }
 
 nlohmann::json feedback_map_json(const rub::FeedbackMap& map) {
-  nlohmann::json growth = nlohmann::json::array(), stable = growth, force = growth, rule = growth;
+  json growth = json::array(), stable = growth, frequency = growth, force = growth, whip = growth,
+       rule = growth;
   for (std::size_t i = 0; i < map.speeds.size(); ++i) {
-    nlohmann::json g = nlohmann::json::array(), s = g, f = g;
+    json g = json::array(), s = g, w = g, f = g, beside = g;
     for (std::size_t j = 0; j < map.feedbacks.size(); ++j) {
       const rub::FeedbackPoint& p = map.at(i, j);
-      g.push_back(p.forced ? nlohmann::json(p.forced->growth) : nlohmann::json());
+      g.push_back(p.forced ? json(p.forced->growth) : json());
+      w.push_back(p.forced ? json(p.forced->frequency) : json());
       s.push_back(p.forced && p.forced->stable);
-      f.push_back(p.normal_force ? nlohmann::json(*p.normal_force) : nlohmann::json());
+      f.push_back(p.normal_force ? json(*p.normal_force) : json());
+      beside.push_back(p.whip);
     }
     growth.push_back(g);
     stable.push_back(s);
+    frequency.push_back(w);
     force.push_back(f);
+    whip.push_back(beside);
   }
-  for (const auto& k : map.rule())
-    rule.push_back(k ? nlohmann::json(k->point->feedback) : nlohmann::json());
-  return {{"speeds", map.speeds}, {"feedbacks", map.feedbacks}, {"growth", growth},
-          {"stable", stable},     {"normal_force", force},      {"rule", rule}};
+  for (const auto& k : map.rule()) rule.push_back(k ? json(k->point->feedback) : json());
+  return {{"speeds", map.speeds},   {"feedbacks", map.feedbacks},
+          {"growth", growth},       {"stable", stable},
+          {"frequency", frequency}, {"normal_force", force},
+          {"whip", whip},           {"rule", rule}};
 }
 
 std::string feedback_keys(const rub::FeedbackMap& map) {

@@ -25,8 +25,9 @@ result::Section rub_map_picture(const std::string& name, const RubKeyMap& map);
 // {"speed", "states": [names], "inputs", "outputs", "A", "B", "C"}: rows of numbers, SI.
 nlohmann::json state_space_json(const scene::Scene& scene, const LinearPlant& plant);
 
-// {"speeds", "feedbacks", "growth": rows of 1/s or null, "stable", "normal_force", "rule": [N s/m
-// or null]}
+// {"speeds", "feedbacks", "growth": rows of 1/s or null, "stable", "frequency": of that pair in
+// rad/s, "normal_force", "whip": whether a whip or rolling is stable beside it, "rule": [N s/m or
+// null]}
 nlohmann::json feedback_map_json(const rub::FeedbackMap& map);
 // The rule as keys of a scene, on two lines; empty if no k is stable at any speed.
 std::string feedback_keys(const rub::FeedbackMap& map);

@@ -23,22 +23,18 @@ void add_bench(const json& all, Beside& beside) {
   const std::string where = fmt::format("{}, {}", machine.at("processor").get<std::string>(),
                                         machine.at("instructions").get<std::string>());
   for (const json& scene : all.at("scenes")) {
-    const std::string source = scene.at("reference").at("source");
-    const json parts = {{{"heading", scene.at("scene")}},
-                        {{"text", fmt::format("Measured on {}; reference: {}.", where, source)}},
-                        {{"plots", "bench"}, {"index", beside.benches.size()}}};
-    json& shown = beside.parts["precision"];
-    shown.insert(shown.end(), parts.begin(), parts.end());
+    scene.at("scene").get_ref<const std::string&>();
+    scene.at("reference").at("source").get_ref<const std::string&>();
     for (const char* list : {"series", "points", "engines"})
       scene.at(list).get_ref<const json::array_t&>();
     beside.benches.push_back(scene);
+    beside.benches.back()["machine"] = where;
   }
 }
 
 void add_cases(const json& all, Beside& beside) {
   const json parts = page_json(check::result_of(check::cases_of(all)));
-  json& shown = beside.parts["cases"];
-  shown.insert(shown.end(), parts.begin(), parts.end());
+  beside.cases.insert(beside.cases.end(), parts.begin(), parts.end());
 }
 
 // The lists must have equal lengths, because the script indexes them together.
@@ -49,7 +45,7 @@ void check_columns(const json& plots) {
   for (const json& key : plots.at("keys")) cells *= is_grid ? key.at("values").size() : 1;
   if (is_grid && cells != points)
     throw std::out_of_range(fmt::format("a grid of {} cells has {} points", cells, points));
-  for (const char* lists : {"values", "columns"}) {
+  for (const char* lists : {"values", "columns", "linear"}) {
     for (const json& list : plots.value(lists, json::array())) {
       if (list.size() != points)
         throw std::out_of_range(fmt::format("a list of {} has not {} values", lists, points));
@@ -65,11 +61,9 @@ void check_columns(const json& plots) {
 
 void add_map(const json& all, Beside& beside) {
   check_columns(all.at("plots"));
-  json& shown = beside.parts["maps"];
-  shown.push_back({{"heading", all.at("name")}});
-  for (const std::string sentence : all.at("answer")) shown.push_back({{"text", sentence}});
-  shown.push_back({{"maps", beside.maps.size()}});
-  beside.maps.push_back(all.at("plots"));
+  all.at("name").get_ref<const std::string&>();
+  all.at("answer").get_ref<const json::array_t&>();
+  beside.sweeps.push_back(all);
 }
 
 struct Kind {

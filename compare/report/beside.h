@@ -12,12 +12,10 @@ inline constexpr const char* kBenchFile = "bench.json";
 inline constexpr const char* kCheckFile = "check.json";
 
 struct Beside {
-  nlohmann::json benches = nlohmann::json::array();  // for page/precision.js: scenes of bench.json
-  nlohmann::json maps = nlohmann::json::array();     // for page/maps.js: sweep_plots, with "maps"
-  // For page/layout.js, by the ids of their places: "precision", "cases" and "maps".
-  nlohmann::json parts = {{"precision", nlohmann::json::array()},
-                          {"cases", nlohmann::json::array()},
-                          {"maps", nlohmann::json::array()}};
+  // Scenes of bench.json, each with "machine": where it was measured.
+  nlohmann::json benches = nlohmann::json::array();
+  nlohmann::json cases = nlohmann::json::array();   // parts for page/layout.js
+  nlohmann::json sweeps = nlohmann::json::array();  // sweep_json (sweep_page.h)
 };
 
 // Reads each folder and the folders directly within it, sorted by name. Throws std::runtime_error

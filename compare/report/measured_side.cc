@@ -1,7 +1,5 @@
 #include "compare/report/measured_side.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -84,7 +82,7 @@ class SideMaker {
     });
     // It has no impacts at any contact.
     json none = json::object();
-    for (const char* list : {"t", "y", "friction", "before", "after", "slip", "share"})
+    for (const char* list : {"t", "normal", "friction", "before", "after", "slip"})
       none[list] = json::array();
     return {{"label", kMeasured},
             {"measured", true},
@@ -93,7 +91,6 @@ class SideMaker {
             {"end", laid_.t.back()},
             {"tracks", tracks_},
             {"holes", holes_},
-            {"absent", absent()},
             {"whirl", whirl(limit)},
             {"impacts", json(scene.auxiliary.size(), none)}};
   }
@@ -129,22 +126,6 @@ class SideMaker {
     tracks_["ring"] = track_json(pack(TrackKind::kLinear, samples));
   }
 
-  std::string absent() const {
-    if (!tracks_.contains("rotor"))
-      return "The record has no rotor_x with its rotor_y: the measured run is in the plots alone.";
-    std::string missing;
-    const auto lacks = [&](const char* name, const char* words) {
-      if (!tracks_.contains(name)) missing += (missing.empty() ? "" : ", ") + std::string(words);
-    };
-    if (shown_.scene->first().stator) lacks("ring", "ring");
-    if (shown_.scene->first().contact) lacks("gap", "gap");
-    lacks("spin_speed", "speed");
-    return fmt::format(
-        "Of the measured run the player shows what its record has; not measured, and not drawn: "
-        "the shaft's shape, the angle of spin{}{}.",
-        missing.empty() ? "" : ", ", missing);
-  }
-
   // From the second half of the record, as for the other runs; and its distance from the first run
   // at the samples.
   json whirl(double limit) const {
@@ -170,8 +151,8 @@ class SideMaker {
                   y = first.values(*laid_.find("rotor_y")->what, times);
     Numbers distance;
     for (std::size_t i = 0; i < x.size(); ++i)
-      distance.push_back(1e6 * std::hypot(rotor->value[0][i] - x[i], rotor->value[1][i] - y[i]));
-    all["residual"] = distance_data(rotor->t, distance);
+      distance.push_back(std::hypot(rotor->value[0][i] - x[i], rotor->value[1][i] - y[i]));
+    all["residual"] = series(rotor->t, distance);
     return all;
   }
 

@@ -7,10 +7,10 @@
 
 #include "compare/base/format.h"
 #include "compare/base/version.h"
-#include "compare/report/modes_page.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/plot_points.h"
 #include "compare/report/plots.h"
+#include "compare/report/rotor_data.h"
 #include "compare/report/what_if.h"
 #include "compare/run_files/summary.h"
 #include "compare/study/result.h"
@@ -30,7 +30,7 @@ json live_data(const ShownRuns& shown) {
                {"step", scene.run.step},
                {"end", scene.run.end},
                {"text", scene.text},
-               {"rotor", rotor_section(scene)},
+               {"rotor", rotor_data(scene)},
                {"what_if", what_if_data(scene)}});
   return data;
 }
@@ -49,9 +49,9 @@ json versions() { return {{"rotorub", program_version()}, {"MuJoCo", mujoco_vers
 std::string report_page(const std::vector<PageScene>& scenes, const Beside& beside) {
   json data{{"scenes", json::array()},
             {"versions", versions()},
-            {"beside", beside.parts},
             {"benches", beside.benches},
-            {"maps", beside.maps}};
+            {"cases", beside.cases},
+            {"sweeps", beside.sweeps}};
   std::vector<std::string> names;
   result::Section found;
   for (const PageScene& scene : scenes) {

@@ -64,7 +64,7 @@ std::string page_of(const PageHead& head, const result::Section& found, const js
                  {"plotly", base64(packed_plotly_js())},
                  {"module", live ? module_scripts(data.at("scenes")) : ""},
                  // "<" could end the script element with the data.
-                 {"data", replace_all_copy(data.dump(), "<", "\\u003c")},
+                 {"data", replace_all_copy(shortened(data).dump(), "<", "\\u003c")},
                  {"scripts", std::string(live ? report_js() : still_js())}});
 }
 

@@ -6,11 +6,13 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 namespace rotorub {
 
+namespace {
+
+// The value rounded to `digits` significant digits.
 double rounded(double value, int digits) {
   char text[40];
   const auto end =
@@ -20,14 +22,24 @@ double rounded(double value, int digits) {
   return short_value;
 }
 
-nlohmann::json picked(const std::vector<double>& values, const std::vector<std::size_t>& which,
-                      int digits) {
-  return list_of(which, [&](std::size_t i) { return rounded(values[i], digits); });
+}  // namespace
+
+nlohmann::json series(const std::vector<double>& x, const std::vector<double>& y,
+                      std::size_t buckets) {
+  const auto at = [&](const std::vector<double>& values, const std::vector<std::size_t>& kept) {
+    return list_of(kept, [&](std::size_t i) { return values[i]; });
+  };
+  const auto kept = thin(y, 0, y.size(), buckets);
+  return {{"x", at(x, kept)}, {"y", at(y, kept)}};
 }
 
-double phase_degrees(std::complex<double> x, double last) {
-  const double phase = 180.0 / std::numbers::pi * std::arg(x);
-  return phase - 360.0 * std::round((phase - last) / 360.0);
+nlohmann::json shortened(nlohmann::json data) {
+  constexpr int kKept = 7;
+  if (data.is_number_float()) return rounded(data.get<double>(), kKept);
+  const bool is_track = data.is_object() && data.contains("quantum");
+  if (!data.is_structured() || is_track) return data;
+  for (nlohmann::json& member : data) member = shortened(std::move(member));
+  return data;
 }
 
 std::vector<std::size_t> thin(const std::vector<double>& y, std::size_t first, std::size_t last,
@@ -63,7 +75,7 @@ nlohmann::json levels_data(const std::vector<double>& cells) {
     levels += static_cast<char>(
         static_cast<unsigned char>(std::lround(255.0 * std::clamp(share, 0.0, 1.0))));
   }
-  return {{"low", rounded(low, 4)}, {"high", rounded(high, 4)}, {"levels", base64(levels)}};
+  return {{"low", low}, {"high", high}, {"levels", base64(levels)}};
 }
 
 std::string base64(std::string_view bytes) {

@@ -1,7 +1,6 @@
 // Numbers in a compact form for pages, as short text or in base 64.
 #pragma once
 
-#include <complex>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -18,23 +17,14 @@ nlohmann::json list_of(const Range& range, Make make) {
   return all;
 }
 
-// Plots show at most 6 or 7 significant digits, and fewer digits keep the page small.
-inline constexpr int kDigits = 6;
+// {"x", "y"}: a curve with at most 2 buckets + 2 of its points, chosen by thin().
+inline constexpr std::size_t kPlotBuckets = 600;
+nlohmann::json series(const std::vector<double>& x, const std::vector<double>& y,
+                      std::size_t buckets = kPlotBuckets);
 
-// The value rounded to `digits` significant digits.
-double rounded(double value, int digits = kDigits);
-// factor * value for each value, rounded.
-template <class Range>
-nlohmann::json rounded_list(const Range& values, double factor = 1.0, int digits = kDigits) {
-  return list_of(values, [&](double value) { return rounded(factor * value, digits); });
-}
-// The values at the indices `which`, rounded.
-nlohmann::json picked(const std::vector<double>& values, const std::vector<std::size_t>& which,
-                      int digits);
-
-// The phase of x in degrees, with the whole turns that bring it nearest to `last`, so that a curve
-// continues beyond half a turn.
-double phase_degrees(std::complex<double> x, double last);
+// The data of a page with every number rounded to seven digits, which keeps the page small. Tracks
+// (pack/track.h) stay exact, because a player multiplies their quanta by large numbers.
+nlohmann::json shortened(nlohmann::json data);
 
 // Reduces y[first, last) to fewer points for a plot that looks the same. Extremes are kept, so that
 // no impact is lost. Returns ascending indices without repetitions: the first and the last row, and

@@ -31,7 +31,7 @@ ShownRuns shown_runs(const SceneComparison& comparison);
 // From a run's folder, including its shadow if there is one.
 ShownRuns shown_runs(const StoredRun& run, const std::optional<StoredRun>& shadow);
 
-// For the scripts: windows, runs as tracks (pack/packed_run.h), impacts on their laws, and the
+// For the scripts: runs as tracks (pack/packed_run.h), impacts on their laws, and the
 // drawn rig.
 nlohmann::json plot_data(const ShownRuns& shown);
 

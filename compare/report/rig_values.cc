@@ -21,7 +21,7 @@ using nlohmann::json;
 
 // One array per mode.
 json shapes(const Eigen::MatrixXd& modes) {
-  return list_of(modes.colwise(), [](const auto& mode) { return rounded_list(mode); });
+  return list_of(modes.colwise(), [](const auto& mode) { return json(mode); });
 }
 
 // A bearing that consists only of a force is not drawn.
@@ -47,8 +47,8 @@ json curve(double from, double to, Law law) {
   json x = json::array(), y = json::array();
   for (int k = 0; k < kPoints; ++k) {
     const double at = from + (to - from) * k / (kPoints - 1);
-    x.push_back(rounded(at));
-    y.push_back(rounded(law(at)));
+    x.push_back(at);
+    y.push_back(law(at));
   }
   return {{"x", x}, {"y", y}};
 }
@@ -71,11 +71,11 @@ json rig_values(const scene::Scene& scene, const renders::Machine& machine) {
       {"unit", machine.unit},
       {"magnification", machine.magnification},
       {"has_shape", scene.rotor.geometry.has_value()},
-      {"z", rounded_list(machine.z)},
-      {"span_radius", rounded_list(machine.span_radius)},
+      {"z", machine.z},
+      {"span_radius", machine.span_radius},
       {"modes_x", shapes(machine.modes_x)},
       {"modes_y", shapes(machine.modes_y)},
-      {"bow", rounded_list(machine.bow)},
+      {"bow", machine.bow},
       {"discs",
        list_of(machine.discs,
                [](const renders::DrawnDisc& disc) -> json {
@@ -105,6 +105,7 @@ json contacts_values(const scene::Scene& scene, const std::optional<renders::Mac
                    {"rubs", bearing.contact && !contact.friction.is_frictionless()},
                    {"clearance", contact.clearance},
                    {"restitution", contact.restitution},
+                   {"friction", contact.friction.sticking()},
                    {"radius", contact.radius},
                    {"gap_tolerance", gap_tolerance(contact.clearance)},
                    {"section_magnification",

@@ -1,10 +1,8 @@
 #include "compare/report/run_data.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "compare/base/units.h"
 #include "compare/report/pack/packed_run.h"
 #include "compare/report/plot_points.h"
 #include "compare/report/whirl_plots.h"
@@ -16,28 +14,22 @@ namespace {
 
 using nlohmann::json;
 
-// The impacts of one contact. friction: its coefficient mu.
-json impact_data(const Trajectory& run, std::size_t contact, double friction) {
-  std::vector<double> t, normal, tangential, before, after, slip, share;
-  for (const Impact& impact : counted_impacts(run, contact)) {
-    if (impact.normal_impulse <= 0.0) continue;
-    t.push_back(impact.t);
-    normal.push_back(kMilli * impact.normal_impulse);
-    tangential.push_back(kMilli * std::abs(impact.friction_impulse));
-    before.push_back(impact.gap_rate_before);
-    after.push_back(impact.gap_rate_after);
-    slip.push_back(impact.slip_after);
-    share.push_back(friction > 0.0 ? impact.friction_impulse / (friction * impact.normal_impulse)
-                                   : 0.0);
-  }
+// The impacts of one contact, fewer than all if there are many.
+json impact_data(const Trajectory& run, std::size_t contact) {
+  std::vector<Impact> impacts = counted_impacts(run, contact);
+  std::erase_if(impacts, [](const Impact& impact) { return impact.normal_impulse <= 0.0; });
+  std::vector<double> normal;
+  for (const Impact& impact : impacts) normal.push_back(impact.normal_impulse);
   const auto kept = thin(normal, 0, normal.size(), kPlotBuckets);
-  return {{"t", picked(t, kept, 8)},
-          {"y", picked(normal, kept, 5)},
-          {"friction", picked(tangential, kept, 5)},
-          {"before", picked(before, kept, 5)},
-          {"after", picked(after, kept, 5)},
-          {"slip", picked(slip, kept, 5)},
-          {"share", picked(share, kept, 5)}};
+  const auto of_each = [&](double Impact::*member) {
+    return list_of(kept, [&](std::size_t k) { return impacts[k].*member; });
+  };
+  return {{"t", of_each(&Impact::t)},
+          {"normal", of_each(&Impact::normal_impulse)},
+          {"friction", of_each(&Impact::friction_impulse)},
+          {"before", of_each(&Impact::gap_rate_before)},
+          {"after", of_each(&Impact::gap_rate_after)},
+          {"slip", of_each(&Impact::slip_after)}};
 }
 
 }  // namespace
@@ -46,8 +38,7 @@ json run_data(const scene::Scene& scene, const std::string& label, const Traject
               const Trajectory* first, const renders::Machine* machine, double limit) {
   json impacts = json::array();
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
-    const auto& contact = scene.auxiliary[k].contact;
-    impacts.push_back(impact_data(run, k, contact ? contact->friction.sticking() : 0.0));
+    impacts.push_back(impact_data(run, k));
   }
   const bool soft = !run.is_rigid() && run.contact_model != "compliant" && !scene.is_compliant();
   return {{"label", label},

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "compare/base/format.h"
+#include "compare/base/json.h"
 #include "compare/base/units.h"
 #include "compare/report/linear_maps.h"
 #include "compare/report/page_frame.h"
@@ -25,7 +26,8 @@ namespace rotorub {
 namespace {
 
 using nlohmann::json;
-using result::Item, result::Role, result::Section, result::Sentence;
+using result::Section, result::Sentence;
+using sweep::BranchPoint;
 using sweep::ResultColumn;
 using sweep::SampleKind;
 using sweep::Statement;
@@ -35,20 +37,22 @@ using sweep::Vary;
 json grid_values(const Vary& vary, double per_si) {
   if (!vary.values.empty()) {
     return list_of(vary.values, [&](const sweep::Value& value) {
-      return value.number ? json(rounded(per_si * *value.number)) : json(value.text);
+      return value.number ? json(per_si * *value.number) : json(value.text);
     });
   }
   const auto last = static_cast<double>(vary.count - 1);
-  std::vector<double> values;
-  for (std::int64_t i = 0; i < vary.count; ++i)
-    values.push_back(sweep::between(vary, vary.count > 1 ? static_cast<double>(i) / last : 0.0));
-  return rounded_list(values, per_si);
+  json values = json::array();
+  for (std::int64_t i = 0; i < vary.count; ++i) {
+    const double share = vary.count > 1 ? static_cast<double>(i) / last : 0.0;
+    values.push_back(per_si * sweep::between(vary, share));
+  }
+  return values;
 }
 
 json field(const Statement& row, int column, double per_si) {
   if (row.is_nothing(column)) return nullptr;
   if (row.is_text(column)) return row.text(column);
-  return rounded(per_si * row.number(column));
+  return per_si * row.number(column);
 }
 
 json keys_of(const sweep::Study& study, bool grid) {
@@ -72,9 +76,8 @@ json figures_json() {
   });
 }
 
-// The points that failed, by their reason.
-Section failures(sweep::Store& store, const sweep::Study& study) {
-  constexpr std::size_t kListed = 50;
+// The points that failed, by their reason: "first" is the number of the first one.
+json failures_json(sweep::Store& store, const sweep::Study& study) {
   const int status = static_cast<int>(study.vary.size()) + 1;
   struct Failure {
     std::int64_t points, first;
@@ -85,22 +88,11 @@ Section failures(sweep::Store& store, const sweep::Study& study) {
     const std::pair key(row.text(status), row.text(status + 1));
     ++failed.try_emplace(key, Failure{0, row.whole(0)}).first->second.points;
   });
-  if (failed.empty()) return {};
-  result::Table table{.columns = {{.heading = "points", .width = 8},
-                                  {.heading = "first", .width = 8},
-                                  {.heading = "status", .width = -20},
-                                  {.heading = "reason"}}};
-  for (const auto& [why, failure] : failed) {
-    if (table.rows.size() == kListed) break;
-    table.rows.push_back({.items = {{.text = std::to_string(failure.points)},
-                                    {.text = std::to_string(failure.first)},
-                                    {.text = why.first},
-                                    {.text = why.second}}});
-  }
-  return {.parts = {result::line("Points that failed", Role::kHeading), std::move(table),
-                    result::line(failed.size() > kListed
-                                     ? "The first fifty reasons; results.csv has all points."
-                                     : "results.csv has all points.")}};
+  return list_of(failed, [](const auto& failure) -> json {
+    const auto& [why, of] = failure;
+    return {
+        {"status", why.first}, {"reason", why.second}, {"points", of.points}, {"first", of.first}};
+  });
 }
 
 json runs_json(const PointRuns& runs, std::int64_t points) {
@@ -109,61 +101,68 @@ json runs_json(const PointRuns& runs, std::int64_t points) {
   return {{"command", runs.command}, {"kept", kept}, {"points", points}};
 }
 
-// The rows of statistics.csv in the units of the page.
-Section statistics_of(sweep::Store& store, const sweep::Study& study) {
-  const sweep::Statistics& asked = *study.statistics;
-  result::Table table;
-  for (const std::size_t k : asked.by) {
-    const Vary& vary = study.vary[k];
-    table.columns.push_back({.heading = name_and_unit(vary.key, vary.unit), .width = -28});
-  }
-  for (const char* words : {"figure", "statistic"})
-    table.columns.push_back({.heading = words, .width = -28});
-  for (const char* number : {"value", "from", "to", "points"})
-    table.columns.push_back({.heading = number, .width = 12});
-  bool bounds = false;
-  for (const sweep::StatisticsRow& row : sweep::group_statistics(store, study)) {
-    const bool share = row.statistic.starts_with("share ");
-    const ShownUnit unit = shown_unit(row.unit);
-    const auto number = [&](std::optional<double> value) -> Item {
-      if (!value) return {};
-      return {.text = share ? fmt::format("{:.3g} %", 100.0 * *value)
-                            : short_number(unit.per_si * *value)};
-    };
-    const sweep::Estimate& estimate = row.estimate;
-    bounds = bounds || estimate.low || estimate.high;
-    std::vector<Item>& items = table.rows.emplace_back().items;
-    for (const std::string& value : row.group) items.push_back({.text = value});
-    items.insert(items.end(), {{.text = name_and_unit(row.figure, unit.name)},
-                               {.text = row.statistic},
-                               number(estimate.value),
-                               number(estimate.low),
-                               number(estimate.high),
-                               {.text = std::to_string(row.count)}});
-  }
-  const std::string note =
-      bounds ? fmt::format(
-                   "What is estimated lies between from and to with a confidence of {}, if "
-                   "the points are independent.",
-                   percent_text(asked.confidence))
-             : "Bounds need independent points, as kind = \"random\" draws them.";
-  return {.parts = {result::line("Statistics", Role::kHeading), std::move(table),
-                    Sentence{.text = note + " The table is in statistics.csv."}}};
+// The rows of statistics.csv, SI; null if the study asks for none.
+json statistics_json(sweep::Store& store, const sweep::Study& study) {
+  if (!study.statistics) return nullptr;
+  const auto key = [&](std::size_t k) {
+    return name_and_unit(study.vary[k].key, study.vary[k].unit);
+  };
+  const auto row = [](const sweep::StatisticsRow& r) -> json {
+    return {{"group", r.group},
+            {"figure", r.figure},
+            {"unit", r.unit},
+            {"statistic", r.statistic},
+            {"estimate",
+             {number_or_null(r.estimate.value), number_or_null(r.estimate.low),
+              number_or_null(r.estimate.high)}},
+            {"points", r.count}};
+  };
+  return {{"keys", list_of(study.statistics->by, key)},
+          {"confidence", study.statistics->confidence},
+          {"rows", list_of(sweep::group_statistics(store, study), row)}};
 }
 
-// Adds the figures of the linear map to the runs' figures. Row i of a whole grid's plots is point
-// i.
-void add_linear(const sweep::LinearMap& map, json& plots) {
-  const json figures = rub_figures();
-  std::vector<json> columns(figures.size(), json::array());
-  for (const std::optional<rub::RubPoint>& point : map.points) {
-    std::vector<json> row = point ? rub_values(*point) : std::vector<json>(figures.size());
-    for (std::size_t k = 0; k < row.size(); ++k) columns[k].push_back(std::move(row[k]));
-  }
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    plots["figures"].push_back(figures[k]);
-    plots["columns"].push_back(std::move(columns[k]));
-  }
+// ---------------------------------------------------------------- bifurcation diagram
+constexpr double kMicrons = 1e6;  // um per m
+
+json points_json(const std::vector<BranchPoint>& points, const sweep::Sample& sample,
+                 double per_si) {
+  return list_of(points, [&](const BranchPoint& point) -> json {
+    const std::size_t shown =
+        point.period > 0
+            ? std::min<std::size_t>(static_cast<std::size_t>(point.period), point.places.size())
+            : point.places.size();
+    std::vector<double> x, y;
+    for (std::size_t k = point.places.size() - shown; k < point.places.size(); ++k) {
+      x.push_back(kMicrons * point.places[k].real());
+      y.push_back(kMicrons * point.places[k].imag());
+    }
+    return {{"value", per_si * *sample.at(point.point).front().number},
+            {"refused", point.refused},
+            {"continued", point.continued},
+            {"x", x},
+            {"y", y},
+            {"period", point.period},
+            {"exponent", number_or_null(point.exponent)}};
+  });
+}
+
+std::string note_of(const sweep::Bifurcation& diagram) {
+  if (!diagram.not_continued.empty())
+    return fmt::format("Each value begins at the scene's own start: {}.", diagram.not_continued);
+  const auto begun = [](const std::vector<BranchPoint>& points) {
+    return std::count_if(points.begin(), points.end(), [](const BranchPoint& point) {
+      return point.refused.empty() && !point.continued;
+    });
+  };
+  const auto refused = std::count_if(diagram.up.begin(), diagram.up.end(),
+                                     [](const BranchPoint& p) { return !p.refused.empty(); });
+  std::string note = "Each value begins where the one before it ended";
+  const auto again = begun(diagram.up) + begun(diagram.down) - 2;
+  if (again > 0)
+    note += fmt::format(", but for {} that could not and began at the scene's own start", again);
+  if (refused > 0) note += fmt::format("; {} of {} values have no run", refused, diagram.up.size());
+  return note + ".";
 }
 
 }  // namespace
@@ -205,12 +204,25 @@ json sweep_plots(const sweep::PointScenes& scenes, sweep::Store& store, const sw
 json sweep_json(const sweep::PointScenes& scenes, sweep::Store& store, const sweep::Study& study) {
   json plots = sweep_plots(scenes, store, study);
   const sweep::LinearMap linear = sweep::linear_map(scenes);
+  // Row i of a whole grid's plots is point i.
   if (linear.any() && plots["kind"] == "grid" && plots["status"].size() == linear.points.size())
-    add_linear(linear, plots);
-  return {{"name", study.scene.stem().string()},
-          {"answer", sweep::answer_of(store, study)},
-          {"linear_refused", linear.refused},
-          {"plots", std::move(plots)}};
+    plots["linear"] = rub_columns(linear.points);
+  return shortened({{"name", study.scene.stem().string()},
+                    {"answer", sweep::answer_of(store, study)},
+                    {"linear_refused", linear.refused},
+                    {"plots", std::move(plots)}});
+}
+
+json bifurcation_data(const sweep::Study& study, const sweep::Sample& sample,
+                      const sweep::Bifurcation& diagram) {
+  const sweep::Vary& vary = study.vary.front();
+  const ShownUnit unit = shown_unit(vary.unit);
+  return shortened(
+      {{"key",
+        {{"name", vary.key}, {"unit", unit.name}, {"log", vary.spacing == sweep::Spacing::kLog}}},
+       {"up", points_json(diagram.up, sample, unit.per_si)},
+       {"down", points_json(diagram.down, sample, unit.per_si)},
+       {"note", note_of(diagram)}});
 }
 
 std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
@@ -219,12 +231,12 @@ std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
   Section found;
   for (const std::string sentence : kept.at("answer"))
     found.parts.emplace_back(Sentence{.text = sentence});
-  if (study.statistics) found.add({statistics_of(store, study)});
-  found.add({failures(store, study)});
   json plots = kept.at("plots");
   plots["runs"] = runs_json(runs, scenes.sample().size());
   json data{{"maps", {plots}},
             {"linear_refused", kept.at("linear_refused")},
+            {"statistics", statistics_json(store, study)},
+            {"failed", failures_json(store, study)},
             {"texts", {study.text, scenes.scene_text()}}};
   if (!bifurcation.is_null()) data["bifurcation"] = bifurcation;
   const std::string name = kept.at("name");

@@ -135,9 +135,9 @@ json slider(const TomlNode& root, const Place& place, const Key& key, double val
   return {{"key", path},
           {"also", path == "rotor.speed" ? keeping_step(root, value) : json::array()},
           {"unit", unit},
-          {"value", rounded(factor * value)},
-          {"low", rounded(factor * std::min(low, high))},
-          {"high", rounded(factor * std::max(low, high))},
+          {"value", factor * value},
+          {"low", factor * std::min(low, high)},
+          {"high", factor * std::max(low, high)},
           {"meaning", key.meaning}};
 }
 
@@ -169,7 +169,7 @@ json sliders_of(const scene::Scene& scene) {
   std::vector<scene::Diagnostic> diagnostics;
   if (scene.text.empty() || !libraries_of(scene).empty()) return json::array();
   const std::optional<TomlNode> root = scene::parse_toml(scene.text, scene.name, diagnostics);
-  return root && diagnostics.empty() ? all_sliders(*root) : json::array();
+  return root && diagnostics.empty() ? shortened(all_sliders(*root)) : json::array();
 }
 
 json what_if_data(const scene::Scene& scene) {

@@ -6,9 +6,11 @@
 #include <numbers>
 #include <string>
 
+#include "compare/base/units.h"
+#include "compare/metrics/cascade.h"
 #include "compare/metrics/orbit.h"
+#include "compare/metrics/orders.h"
 #include "compare/report/plot_points.h"
-#include "compare/report/run_up_plots.h"
 
 namespace rotorub {
 namespace {
@@ -16,7 +18,6 @@ namespace {
 using nlohmann::json;
 using Values = std::vector<double>;
 
-constexpr double kMicro = 1e6;
 constexpr std::size_t kMostSamples = 1 << 14;
 constexpr std::size_t kMostFrequencies = 1 << 17;
 constexpr std::size_t kSpectrumBuckets = 400;  // twice as many points, which preserve the peaks
@@ -66,13 +67,13 @@ json waterfall_json(const Trajectory& run, double limit, double longest_turn) {
   for (std::size_t row = 0; row < w.time.size(); ++row) {
     for (std::size_t k = 0; k < bins; ++k) {
       double& largest = cell[row * columns + k / each];
-      largest = std::max(largest, kMicro * w.amplitude[row * stretch + middle - side + k]);
+      largest = std::max(largest, w.amplitude[row * stretch + middle - side + k]);
     }
   }
   json all = levels_data(cell);
   if (all.is_null()) return nullptr;
-  all["t"] = {rounded(from + w.time.front(), 6), rounded(from + w.time.back(), 6)};
-  all["f"] = {rounded(lowest, 6), rounded(lowest + apart * static_cast<double>(columns * each), 6)};
+  all["t"] = {from + w.time.front(), from + w.time.back()};
+  all["f"] = {lowest, lowest + apart * static_cast<double>(columns * each)};
   all["rows"] = w.time.size();
   all["columns"] = columns;
   return all;
@@ -88,7 +89,7 @@ json poincare_json(const Trajectory& run) {
     x.push_back(points[i].real());
     y.push_back(points[i].imag());
   }
-  return {{"x", rounded_list(x, kMicro, 5)}, {"y", rounded_list(y, kMicro, 5)}};
+  return {{"x", x}, {"y", y}};
 }
 
 // |rotor - first's rotor| at the times that both have.
@@ -102,14 +103,47 @@ json residual_json(const Trajectory& run, const Trajectory& first) {
       ++j;
     } else {
       times.push_back(t[i]);
-      distance.push_back(kMicro *
-                         std::hypot(run.column("rotor_x")[i] - first.column("rotor_x")[j],
+      distance.push_back(std::hypot(run.column("rotor_x")[i] - first.column("rotor_x")[j],
                                     run.column("rotor_y")[i] - first.column("rotor_y")[j]));
       ++i, ++j;
     }
   }
   if (times.size() < 2) return nullptr;
-  return distance_data(times, distance);
+  return series(times, distance);
+}
+
+// 1x and 2x (metrics/orders.h) of a run-up.
+json orders_data(const Trajectory& run) {
+  constexpr std::size_t kMost = 300;
+  if (!changes_speed(run)) return nullptr;
+  const OrderTrack track = order_track(run, kMost);
+  if (track.t.size() < 2) return nullptr;
+  json orders = json::array();
+  for (std::size_t k = 0; k < OrderTrack::kOrders; ++k) {
+    orders.push_back(list_of(track.probe, [&](const auto& vectors) -> json {
+      return {vectors[k].real(), vectors[k].imag()};
+    }));
+  }
+  return {{"t", track.t}, {"speed", track.speed}, {"orders", orders}};
+}
+
+// The full spectra (metrics/cascade.h) of a run-up.
+json cascade_data(const Trajectory& run) {
+  constexpr std::size_t kSpeeds = 36, kFrequencies = 241;
+  constexpr double kOrders = 3.2;  // up to this multiple of the fastest spin
+  if (!changes_speed(run)) return nullptr;
+  double fastest = 0.0;
+  for (const double speed : run.column("spin_speed")) fastest = std::max(fastest, std::abs(speed));
+  const double highest = kOrders * fastest * kHz;
+  const Cascade found = cascade(run, kSpeeds, kFrequencies, highest);
+  if (found.t.size() < 2) return nullptr;
+  json all = levels_data(found.amplitude);
+  if (all.is_null()) return nullptr;
+  all["t"] = found.t;
+  all["speed"] = found.speed;
+  all["f"] = {-highest, highest};
+  all["columns"] = found.frequency.size();
+  return all;
 }
 
 // s: duration of a turn of the spin; for a rotor that hardly turns, a twentieth of the run.
@@ -121,6 +155,14 @@ double turn_of(const Trajectory& run) {
 
 }  // namespace
 
+bool changes_speed(const Trajectory& run) {
+  constexpr double kChange = 0.1;
+  if (run.rows() < 2) return false;
+  const std::vector<double>& speed = run.column("spin_speed");
+  const auto [low, high] = std::minmax_element(speed.begin(), speed.end());
+  return *high - *low >= kChange * std::max(std::abs(*low), std::abs(*high)) && *high > *low;
+}
+
 double mean_spin(const Trajectory& run) {
   if (run.rows() < 2) return 0.0;
   const Values &t = run.column("t"), &angle = run.column("spin_angle");
@@ -131,22 +173,14 @@ double spectrum_reach(const Trajectory& run) {
   return run.rows() < 2 ? 1.0 : std::max(1.0, 8.0 / turn_of(run));
 }
 
-json distance_data(const Values& t, const Values& distance) {
-  const auto kept = thin(distance, 0, distance.size(), kPlotBuckets);
-  return {{"t", picked(t, kept, 7)}, {"y", picked(distance, kept, 4)}};
-}
-
 json spectrum_data(const std::vector<std::complex<double>>& z, double h, double limit) {
   const std::size_t finer = std::clamp<std::size_t>(kMostFrequencies / z.size(), 1, 32);
   const FullSpectrum s = full_spectrum(z, h, finer);
   const auto first = std::lower_bound(s.frequency.begin(), s.frequency.end(), -limit);
   const auto last = std::upper_bound(first, s.frequency.end(), limit);
-  Values y(s.amplitude.size());
-  std::transform(s.amplitude.begin(), s.amplitude.end(), y.begin(),
-                 [](double a) { return kMicro * a; });
-  const auto kept = thin(y, static_cast<std::size_t>(first - s.frequency.begin()),
-                         static_cast<std::size_t>(last - s.frequency.begin()), kSpectrumBuckets);
-  return {{"f", picked(s.frequency, kept, 6)}, {"y", picked(y, kept, 4)}};
+  const auto from = first - s.frequency.begin(), to = last - s.frequency.begin();
+  return series({first, last}, {s.amplitude.begin() + from, s.amplitude.begin() + to},
+                kSpectrumBuckets);
 }
 
 json whirl_data(const Trajectory& run, const Trajectory* first, double limit) {

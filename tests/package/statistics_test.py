@@ -66,7 +66,7 @@ class Statistics(InAFolder):
         names = [c["name"] for c in json.loads((self.folder / "random" / "columns.json").read_text())["statistics.csv"]]
         self.assertEqual(names, list(next(iter(found.values()))))
         page = (self.folder / "random" / "sweep.html").read_text()
-        self.assertIn("confidence of 90 %", page)
+        self.assertIn('"confidence":0.9', page)
 
         def near(text, value):
             self.assertAlmostEqual(float(text), value, delta=1e-9 * max(abs(value), 1e-3))

@@ -30,6 +30,7 @@ json contact_values(const scene::Scene& scene) {
     const scene::Contact contact = bearing.contact.value_or(scene::Contact());
     all.push_back({{"clearance", contact.clearance},
                    {"restitution", contact.restitution},
+                   {"friction", contact.friction.sticking()},
                    {"gap_tolerance", gap_tolerance(contact.clearance)}});
   }
   return all;

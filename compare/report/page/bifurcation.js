@@ -1,5 +1,6 @@
-// A bifurcation diagram as a plotly figure (compare/report/bifurcation_plot.h): positions once per turn over the swept key,
-// swept up and down, and below them the largest Lyapunov exponent.
+// A bifurcation diagram as a plotly figure (compare/report/sweep_page.h): positions once per turn over the swept key, swept up
+// and down, and below them the largest Lyapunov exponent.
+import {shownUnit} from './linear_maps.js';
 import {axes, css, decades, layout, legendAbove as legend, short} from './style.js';
 
 const nameOf = (key) => key.name + (key.unit ? ` / ${key.unit}` : '');
@@ -43,11 +44,14 @@ export function partsOf(points) {
   return parts;
 }
 
-export function branchesFigure({across, up, branches}, figure) {
-  const values = up ? up.values : [null], scale = scales[figure];
+// A key of the branches with its unit as people read it.
+const axisOf = ({key, unit, values}) => ({name: key, unit: shownUnit(unit).name, perSi: shownUnit(unit).perSi, values});
+
+export function branchesFigure({branches, ...data}, figure) {
+  const across = axisOf(data.across), up = data.up && axisOf(data.up), values = up ? up.values : [null], scale = scales[figure];
   const colorOf = ({up: value}) => css(`--mode-${values.indexOf(value) % 6 + 1}`);
-  const nameAt = ({up: value}) => up ? `${up.name} = ${short(value * up.per_si, 5)}${up.unit ? ` ${up.unit}` : ''}` : 'periodic rubs';
-  const x = (points) => points.map((p) => p.value * across.per_si), y = (points) => points.map((p) => p[figure] * scale);
+  const nameAt = ({up: value}) => up ? `${up.name} = ${short(value * up.perSi, 5)}${up.unit ? ` ${up.unit}` : ''}` : 'periodic rubs';
+  const x = (points) => points.map((p) => p.value * across.perSi), y = (points) => points.map((p) => p[figure] * scale);
   const words = (points) => points.map((p) => `${p.point ? `${p.point}, ` : ''}${p.kind}, ${p.stable ? 'stable' : 'unstable'}`);
   const hover = `%{text}<br>${across.name} = %{x:.5g}, ${titles[figure]} = %{y:.5g}<extra></extra>`;
   const named = new Set();

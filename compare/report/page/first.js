@@ -39,7 +39,7 @@ export function impulseTrace(run, [from, to]) {
   run.points.t.forEach((t, k) => {
     if (t < from || t > to) return;
     x.push(t, t, null);
-    y.push(0, run.points.y[k], null);
+    y.push(0, run.points.normal[k], null);
   });
   return {x, y, name: run.label, meta: run.label, type: 'scatter', mode: 'lines+markers', opacity: 0.8, line: line(run.label),
     marker: {color: css(`--${run.label}`), size: 5, symbol: symbol(run.label)}, hovertemplate: `%{y:.4g} mN s<extra>${run.label}</extra>`};

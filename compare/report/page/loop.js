@@ -1,4 +1,4 @@
-// Plotly figures of the closed loop of magnetic bearings, from the data of loop_page.h: sensitivities with the zones of
+// Plotly figures of the closed loop of magnetic bearings, from the data of rotor_data.js: sensitivities with the zones of
 // ISO 14839-3, and responses to a step of force.
 import {axes, css, layout, legendAbove as legend, titled} from './style.js';
 

@@ -1,19 +1,43 @@
 // The pages of maps: of a sweep, of lasting rubs, of branches of periodic rubs, and of feedback that stabilises rubs.
-import {answerOf, scenesText, sheetsOf, splitAtHeading} from './answer.js';
+import {answerOf, scenesText, sheetsOf} from './answer.js';
+import {shownUnit} from './linear_maps.js';
 import {short} from './style.js';
 
 const note = (text) => ({text});
 
-export function sweepParts({page, maps: [{every, figures}], linear_refused: refused, bifurcation, texts: [study, scene]}) {
-  const [answer, found] = splitAtHeading(page.parts);
-  return [answerOf(answer),
+const numbered = (columns, first) => columns.map((text, k) => ({text, ...(k >= first ? {number: true} : {})}));
+
+// The rows of statistics.csv as a table.
+export function statisticsParts(statistics) {
+  if (!statistics) return [];
+  const {keys, confidence, rows} = statistics, percent = (share) => `${short(100 * share)} %`;
+  const cellsOf = ({group, figure, unit, statistic, estimate, points}) => {
+    const {name, perSi} = shownUnit(unit), words = statistic.startsWith('share ') ? percent : (value) => short(perSi * value, 4);
+    return [...group, figure + (name && ` / ${name}`), statistic, ...estimate.map((value) => (value === null ? '' : words(value))), String(points)];
+  };
+  const hasBounds = rows.some(({estimate: [, low, high]}) => low !== null || high !== null);
+  return [{heading: 'Statistics'}, {columns: numbered([...keys, 'figure', 'statistic', 'value', 'from', 'to', 'points'], keys.length + 2),
+    rows: rows.map((row) => ({cells: cellsOf(row)}))}, note(`${hasBounds ? `What is estimated lies between from and to with a confidence of ${percent(confidence)}, if the points ` +
+    'are independent.' : 'Bounds need independent points, as kind = "random" draws them.'} The table is in statistics.csv.`)];
+}
+
+// The points that failed, by their reason.
+const listed = 50;
+export const failedParts = (failed) => (failed.length ? [{heading: 'Points that failed'},
+  {columns: ['points', 'first', 'status', 'reason'].map((text, k) => ({text, ...(k < 2 ? {number: true} : {})})),
+    rows: failed.slice(0, listed).map(({points, first, status, reason}) => ({cells: [String(points), String(first), status, reason]}))},
+  note(`${failed.length > listed ? 'The first fifty reasons; results.csv' : 'results.csv'} has all points.`)] : []);
+
+export function sweepParts({page, maps: [{every, figures}], linear_refused: refused, bifurcation, statistics, failed, texts: [study, scene]}) {
+  const tables = [...statisticsParts(statistics), ...failedParts(failed)];
+  return [answerOf(page.parts),
     ...(every > 1 ? [note(`Only one in ${every} points is drawn; results.csv has all of them.`)] : []),
     ...(bifurcation ? [{class: 'plots', parts: [{plots: 'bifurcation'}]}] : []),
     {maps: 0}, note('Click a point, or enter its number, to see how to rerun it.'),
     ...(figures.some(({linear}) => linear) ? [note('Linear: the lasting rubs that exist, and whether they are stable by their eigenvalues, ' +
       'without any run. The spin is held, and each load acts for ever.')] : []),
     ...(refused ? [note(`Linear map: ${refused}.`)] : []),
-    sheetsOf([...found.map((part) => (part.rows ? {...part, class: 'cards-when-small'} : part)), {figures: 0}, {summary: 'The study', pre: study}, {summary: 'The scene', pre: scene}])];
+    sheetsOf([...tables.map((part) => (part.rows ? {...part, class: 'cards-when-small'} : part)), {figures: 0}, {summary: 'The study', pre: study}, {summary: 'The scene', pre: scene}])];
 }
 
 const mapParts = (cards, lead, {page, texts: [scene]}) => [{cards}, {lead}, {maps: 0}, sheetsOf([...page.parts, {figures: 0}, scenesText(scene)])];

@@ -58,12 +58,12 @@ function rubCards({name, rub, rub_refused: refused}, at) {
     (unstable ? `; beside it ${unstable} lasting rub${unstable > 1 ? 's' : ''} that ${unstable > 1 ? 'are' : 'is'} not` : '')}];
 }
 
-export function modesCards(rotor, judged) {
-  const {speed: {speed, response, rub, contacts, notes}, critical, unstable_ranges: ranges} = judged, at = rpmText(Math.abs(speed) * rpm);
+export function modesCards(rotor) {
+  const {found} = rotor, {speeds: [{speed, response, rub, contacts, notes}], critical, unstable_ranges: ranges} = found, at = rpmText(Math.abs(speed) * rpm);
   const running = rotor.campbell.running / rpm;
   const isUnstable = ranges.some(([from, to]) => (running > from || from === 0) && (to === null || running < to));
-  const places = contacts || [{name: '', response, rub, rub_refused: judged.rub_refused}];
-  return [speedCard(rotor, isUnstable), criticalCard(rotor, critical.map(({whirl}) => whirl)), stabilityCard(judged, isUnstable),
+  const places = contacts || [{name: '', response, rub, rub_refused: found.rub_refused}];
+  return [speedCard(rotor, isUnstable), criticalCard(rotor, critical.map(({whirl}) => whirl)), stabilityCard(found, isUnstable),
     ...places.flatMap((place) => orbitCards(place, at)),
     ...notes.map((text) => ({title: `Response, ${at}`, headline: 'of limited validity', text})),
     ...places.flatMap((place) => rubCards(place, at))];
@@ -112,9 +112,9 @@ function splitRubs(parts) {
   return front.some(({rows}) => rows) ? [front, behind] : [[], parts];
 }
 
-export function modesParts({page: {parts}, rotor, loops, judged, texts: [scene]}) {
+export function modesParts({page: {parts}, rotor, loops, texts: [scene]}) {
   const rubs = parts.find(({id}) => id === 'rubs'), [front, behind] = splitRubs(rubs?.parts || []);
-  return [{cards: modesCards(rotor, judged)},
+  return [{cards: modesCards(rotor)},
     {lead: 'Small whirl of the rotor in its bearings, without contact, from the eigenvalues of the gyroscopic system with external and ' +
       `rotating damping at a constant spin speed.${rotor.shapes ? ' The shaft is not truncated to the modes kept.' : ''} Forward whirl turns ` +
       'with the spin, backward whirl against it.'},

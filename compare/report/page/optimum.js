@@ -1,9 +1,19 @@
 // The page of `rotorub optimise`, from the evaluated scenes: the convergence of the best value, maps of all evaluations, and
 // a table of the best values.
 import {answerOf, sheetsOf} from './answer.js';
+import {shownUnit} from './linear_maps.js';
 import {axes, css, growBy, layout, legendBelow, number} from './style.js';
 
 const withUnit = (value, unit) => (value === null ? '' : `${number(value, 5)}${unit ? ` ${unit}` : ''}`);
+
+// The evaluated scenes as columns, in units as people read them, from command_pages.cc.
+export function searchOf({keys, evaluations, constraints, ...goal}) {
+  const units = keys.map(({unit}) => shownUnit(unit)), of = (value) => evaluations.map(value);
+  return {...goal, column: of(({figure}) => figure), feasible: of(({feasible}) => feasible), status: of(({status}) => status),
+    keys: keys.map((key, k) => ({...key, unit: units[k].name, range: key.range.map((end) => units[k].perSi * end)})),
+    values: keys.map((_, k) => of(({values}) => units[k].perSi * values[k])),
+    constraints: constraints.map((one, k) => ({...one, values: of(({constraints: reached}) => reached[k] ?? null)}))};
+}
 
 // The data of a map with one mark for each evaluation, in the format of a sweep.
 export function searchMap({figure, unit, maximise, best, keys, values, column, constraints, feasible, status}) {

@@ -13,7 +13,7 @@ export class ScenePlots {
     this.hidden = new Set();
     this.near = new Set();
     this.quiet = false;
-    this.range = this.span(scene.first_window);
+    this.range = this.span(0);
     this.t = scene.windows[0].from;
     const onClick = (selector, act) => {
       for (const button of element.querySelectorAll(selector)) button.addEventListener('click', () => act(button));

@@ -2,12 +2,15 @@
 // clock each.
 import {showFirst} from './first.js';
 import {element, layOut} from './layout.js';
+import {withRubs} from './linear_maps.js';
 import {LiveScene} from './live.js';
 import {data, show, start, withPlotly} from './page.js';
 import {reportParts} from './report_parts.js';
+import {rotorOf} from './rotor_data.js';
 import {runParts} from './run_parts.js';
 import {stills} from './stills.js';
 import {tradeFigure, tradeOf} from './trade.js';
+import {windowsOf} from './windows.js';
 
 // The list of contents: an entry for every named part; the parts of a scene share a line.
 function contentsOf(main) {
@@ -19,6 +22,8 @@ function contentsOf(main) {
   return element('nav', {class: 'contents', 'aria-label': 'contents'}, list(parts.filter((part) => !sceneAround(part))));
 }
 
+for (const scene of data.scenes) Object.assign(scene, {rotor: rotorOf(scene.rotor), windows: windowsOf(scene)});
+data.maps = data.sweeps?.map(({plots}) => withRubs(plots));
 const main = document.querySelector('main');
 layOut(main, data.ending ? runParts(data) : reportParts(data));
 main.before(contentsOf(main));

@@ -136,6 +136,10 @@ function sceneOf(scene, index, data, named) {
 
 const besideWords = {precision: ['Speed against error', 'kept results of rotorub bench'],
   cases: ['Hard cases', 'kept results of rotorub check, against the rules in their files'], maps: ['Maps', 'kept results of rotorub sweep']};
+const besideParts = ({benches, cases, sweeps}) => ({
+  cases, maps: sweeps.flatMap(({name, answer}, index) => [{heading: name}, ...answer.map(text), {maps: index}]),
+  precision: benches.flatMap(({scene, machine, reference: {source}}, index) =>
+    [{heading: scene}, text(`Measured on ${machine}; reference: ${source}.`), {plots: 'bench', index}])});
 const besideOf = (data) => ([id, parts]) => (parts.length ? [{class: 'beside', id, contents: besideWords[id][0], title: besideWords[id][0],
   conditions: besideWords[id][1], parts: withPlots(parts, data)}] : []);
 
@@ -146,5 +150,5 @@ export function reportParts(data) {
   const named = data.scenes.map(namedParts);
   return [{class: 'answers', id: 'verdicts', contents: 'Answer', parts: data.scenes.map((scene, k) => answerOf(scene, k, named[k]))},
     {markup: lead(data)}, ...(data.scenes.length > 2 ? [trade] : []), ...data.scenes.map((scene, k) => sceneOf(scene, k, data, named[k])),
-    ...Object.entries(data.beside).flatMap(besideOf(data)), glossary];
+    ...Object.entries(besideParts(data)).flatMap(besideOf(data)), glossary];
 }

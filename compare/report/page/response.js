@@ -1,5 +1,5 @@
 // The free rotor's response to unbalance over the spin speed (Bode, polar), and its critical speeds over the stiffness of
-// its bearings, as plotly figures (compare/report/response_plots.h).
+// its bearings, as plotly figures.
 import {across, valueAxis} from './campbell.js';
 import {axes, css, layout, legendAbove as legend, number, titled} from './style.js';
 

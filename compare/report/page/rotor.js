@@ -1,4 +1,4 @@
-// Plotly figures of the free rotor, from {campbell, shapes, bode, stiffness} (modes_page.h). This file has the mode shapes at
+// Plotly figures of the free rotor, from {campbell, shapes, bode, stiffness} (rotor_data.js). This file has the mode shapes at
 // rest.
 import {campbellFigure, dampingFigure, decrementFigure} from './campbell.js';
 import {bodeFigure, polarFigure, stiffnessFigure} from './response.js';

@@ -1,9 +1,11 @@
 // Plotly figures of a run-up over its speed: the cascade of full spectra, amplitude and phase of 1x and 2x, and the polar plot
 // of 1x. Each has at(t), the position of the runs at a time in its axes: [{label, x, y}].
 import {placeOf} from './response.js';
+import {amplitudesAndPhases} from './rotor_data.js';
 import {axes, css, layout, line, number, titled} from './style.js';
 
 const kTurn = 2 * Math.PI;
+const rpmsOf = ({speed}) => speed.map((omega) => Math.abs(omega) * 60 / kTurn);
 const rpmOf = (run, t) => Math.abs(run.value('spin_speed', t)) * 60 / kTurn;
 
 // Interpolates a list over ascending times linearly.
@@ -19,14 +21,14 @@ export function between(times, values, t) {
 export function amplitudes({levels, columns, low, high}, row) {
   return Array.from({length: columns}, (_, k) => {
     const level = levels.charCodeAt(row * columns + k);
-    return level === 0 ? 0 : 10 ** (low + (level / 255) * (high - low));
+    return level === 0 ? 0 : 1e6 * 10 ** (low + (level / 255) * (high - low));
   });
 }
 
 function cascade(scene, runs, hidden) {
   const side = scene.sides.find((s) => s.whirl.cascade && !hidden.has(s.label));
   if (!side) return {data: [], layout: layout({})};
-  const c = side.whirl.cascade, run = runs.find((r) => r.label === side.label), {speed, t} = c, last = speed.length - 1;
+  const c = side.whirl.cascade, run = runs.find((r) => r.label === side.label), {t} = c, speed = rpmsOf(c), last = speed.length - 1;
   const unpacked = {...c, levels: atob(c.levels)}, all = speed.map((_, row) => amplitudes(unpacked, row));
   const low = speed[0], high = speed[last], most = Math.max(...all.flat()), gain = 5 * (high - low) / last / most;
   const f = Array.from({length: c.columns}, (_, k) => c.f[0] + (c.f[1] - c.f[0]) * k / (c.columns - 1));
@@ -48,7 +50,11 @@ function cascade(scene, runs, hidden) {
     yaxis: titled('spin speed / rpm', {range: [low - 0.02 * (high - low), high + 1.05 * gain * most], exponentformat: 'none', separatethousands: true})})};
 }
 
-const tracked = (scene) => [...scene.sides].reverse().filter((side) => side.whirl.orders);
+// 1x and 2x of the runs that change their speed: rpm, µm and degrees.
+const tracked = (scene) => [...scene.sides].reverse().filter((side) => side.whirl.orders).map(({label, whirl: {orders: of}}) => {
+  const each = of.orders.map(amplitudesAndPhases);
+  return {label, orders: {t: of.t, speed: rpmsOf(of), amplitude: each.map(({amplitude}) => amplitude), phase: each.map(({phase}) => phase)}};
+});
 
 // Phases from -270 to 90 degrees, as in Bode plots. Null where a line would jump, and where the amplitude is below `least`,
 // because the phase is random there.
@@ -63,14 +69,14 @@ export function withinTurn(phases, sizes, least) {
 
 function orders(scene) {
   const sides = tracked(scene), traces = sides.flatMap((side) => [1, 0].flatMap((k) => {
-    const {speed, amplitude, phase} = side.whirl.orders, name = `${side.label}, ${k + 1}×`;
+    const {speed, amplitude, phase} = side.orders, name = `${side.label}, ${k + 1}×`;
     const trace = (y, more) => ({x: speed, y, name, meta: side.label, type: 'scatter', mode: 'lines',
       line: {...line(side.label), width: k ? 1 : line(side.label).width}, opacity: k ? 0.6 : 1,
       customdata: amplitude[k].map((a, i) => [a, phase[k][i]]),
       hovertemplate: `%{x:.5g} rpm: %{customdata[0]:.4g} µm, %{customdata[1]:.1f}°<extra>${name}</extra>`, ...more});
     return [trace(amplitude[k]), trace(withinTurn(phase[k], amplitude[k], 0.01 * Math.max(...amplitude[0])), {yaxis: 'y2'})];
   }));
-  const at = (t) => sides.map(({label, whirl: {orders: o}}) => ({label, x: between(o.t, o.speed, t), y: between(o.t, o.amplitude[0], t)}));
+  const at = (t) => sides.map(({label, orders: o}) => ({label, x: between(o.t, o.speed, t), y: between(o.t, o.amplitude[0], t)}));
   return {data: traces, at, layout: layout({hovermode: 'closest', margin: {l: 64, r: 24, t: 8, b: 44},
     xaxis: axes({title: {text: 'spin speed / rpm', standoff: 6}, anchor: 'y2', exponentformat: 'none', separatethousands: true}),
     yaxis: axes({title: {text: 'amplitude / µm', standoff: 8}, automargin: false, rangemode: 'tozero', domain: [0.4, 1]}),
@@ -80,12 +86,12 @@ function orders(scene) {
 function ordersPolar(scene) {
   const sides = tracked(scene), square = {automargin: false, constrain: 'domain', exponentformat: 'none', separatethousands: true};
   const data = sides.map((side) => {
-    const {speed, amplitude, phase} = side.whirl.orders, places = amplitude[0].map((a, k) => placeOf(a, phase[0][k]));
+    const {speed, amplitude, phase} = side.orders, places = amplitude[0].map((a, k) => placeOf(a, phase[0][k]));
     return {x: places.map((p) => p[0]), y: places.map((p) => p[1]), name: side.label, meta: side.label, type: 'scatter', mode: 'lines', line: line(side.label),
       customdata: speed.map((n, k) => [n, amplitude[0][k], phase[0][k]]),
       hovertemplate: `%{customdata[0]:.5g} rpm: %{customdata[1]:.4g} µm, %{customdata[2]:.1f}°<extra>${side.label}</extra>`};
   });
-  const at = (t) => sides.map(({label, whirl: {orders: o}}) => {
+  const at = (t) => sides.map(({label, orders: o}) => {
     const [x, y] = placeOf(between(o.t, o.amplitude[0], t), between(o.t, o.phase[0], t));
     return {label, x, y};
   });

@@ -63,7 +63,7 @@ function uncontrolledTraces({scene, number: contact}, key, range) {
 
 // The plots with one point per impact: the abscissa, the ordinate and the hover text of each.
 const laws = {
-  impacts: {x: 't', y: 'y', text: 't = %{x:.6g} s<br>%{y:.4g} mN s'},
+  impacts: {x: 't', y: 'normal', text: 't = %{x:.6g} s<br>%{y:.4g} mN s'},
   friction_impacts: {x: 't', y: 'friction', text: 't = %{x:.6g} s<br>%{y:.4g} mN s'},
   normal_law: {x: 'before', y: 'after', text: 'before %{x:.4g} m/s<br>after %{y:.4g} m/s'},
   friction_law: {x: 'slip', y: 'share', text: 'slip after %{x:.4g} m/s<br>%{y:.4g} of friction times normal'},

@@ -8,6 +8,7 @@
 #include "compare/modes/result.h"
 #include "compare/modes/rub_analysis.h"
 #include "compare/modes/rub_map_text.h"
+#include "compare/report/command_pages.h"
 #include "compare/report/linear_maps.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/native_run.h"
@@ -179,17 +180,14 @@ TEST_F(RubMapOfTheWhip, OverAnyTwoKeys) {
   const std::string picture = result::text_of(rub_map_picture("whip", other));
   EXPECT_NE(picture.find("contact.clearance / m"), std::string::npos) << picture;
   EXPECT_NE(picture.find("Blank: refused"), std::string::npos) << picture;
-  EXPECT_EQ(rub_map_plots(other)["keys"][0].at("name"), "contact.clearance");
+  EXPECT_TRUE(rub_columns(other.points).at("attractors")[0].is_null());
 }
 
 TEST_F(RubMapOfTheWhip, AsAPage) {
-  const json plots = rub_map_plots(map);
-  EXPECT_EQ(plots.at("kind"), "grid");
-  ASSERT_EQ(plots.at("figures").size(), plots.at("columns").size());
-  for (const json& column : plots["columns"]) EXPECT_EQ(column.size(), 9U);
-  EXPECT_EQ(plots["figures"][0].at("name"), "linear: attractors");
-  EXPECT_EQ(plots["columns"][0][4], "no contact + backward whip + rolling");
-  EXPECT_TRUE(plots["columns"][1][4].is_null()) << "no load, no synchronous rub";
+  const json columns = rub_columns(RubKeyMap(map).points);
+  for (const json& column : columns) EXPECT_EQ(column.size(), 9U);
+  EXPECT_EQ(columns.at("attractors")[4], "no contact + backward whip + rolling");
+  EXPECT_TRUE(columns.at("rub_growth")[4].is_null()) << "no load, no synchronous rub";
   const std::string page = rub_map_page(scene, map);
   EXPECT_TRUE(page.starts_with("<!doctype html>"));
   const json parts = page_json(rub_map_picture("whip", map));
@@ -238,13 +236,11 @@ TEST(FeedbackMap, TheRuleIsTheFastestDecayAndItsStableStretch) {
 
 TEST(FeedbackMap, ItsPageHasNoNumberWhereNoRubLasts) {
   const rub::FeedbackMap map = made_by_hand();
-  const json plots = feedback_map_plots(map);
-  ASSERT_EQ(plots.at("figures").size(), plots.at("columns").size());
-  for (const json& column : plots["columns"]) ASSERT_EQ(column.size(), 10U);
-  EXPECT_EQ(plots["columns"][0][3], -4.0);
-  EXPECT_TRUE(plots["columns"][0][6].is_null());
-  EXPECT_TRUE(plots["columns"][1][6].is_null());
-  EXPECT_EQ(plots["columns"][3][6], "whip or rolling");
+  const json data = feedback_map_json(map);
+  EXPECT_EQ(data.at("growth")[0][3], -4.0);
+  for (const char* key : {"growth", "frequency", "normal_force"})
+    EXPECT_TRUE(data.at(key)[1][1].is_null()) << key;
+  EXPECT_EQ(data.at("whip")[1], json({false, true, false, false, false}));
   const json rule = page_json(feedback_map_table("x", map)).at(0);
   ASSERT_EQ(rule.at("rows").size(), 2U);
   EXPECT_EQ(rule.at("columns")[1].at("text"), "k / N s/m");

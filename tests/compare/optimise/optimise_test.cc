@@ -5,7 +5,7 @@
 
 #include "compare/optimise/optimiser.h"
 #include "compare/optimise/output.h"
-#include "compare/report/optimum_page.h"
+#include "compare/report/command_pages.h"
 #include "tests/compare/sweep/studies.h"
 #include "tests/support/said.h"
 

@@ -60,13 +60,12 @@ TEST_F(BesideFolder, FindsWhatTheCommandsLeft) {
   top.write("d/series.csv", "t");
   const Beside beside = read();
   ASSERT_EQ(beside.benches.size(), 1u);
-  EXPECT_EQ(beside.benches[0], kept_bench().at("scenes")[0]);
+  json bench = beside.benches[0];
+  EXPECT_EQ(bench.at("machine"), "made-up processor, avx2");
+  bench.erase("machine");
+  EXPECT_EQ(bench, kept_bench().at("scenes")[0]);
 
-  const json& precision = beside.parts.at("precision");
-  ASSERT_EQ(precision.size(), 3u);
-  EXPECT_EQ(precision[0].at("heading"), "bench_ring");
-  EXPECT_EQ(precision[2], json({{"plots", "bench"}, {"index", 0}}));
-  const json& cases = beside.parts.at("cases");
+  const json& cases = beside.cases;
   const json& table = cases.at(1);
   ASSERT_EQ(table.at("rows").size(), 2u);
   const json& one = table["rows"][0]["cells"];
@@ -80,13 +79,8 @@ TEST_F(BesideFolder, FindsWhatTheCommandsLeft) {
   EXPECT_EQ(table["rows"][1]["cells"].at(column), "") << "not run";
   EXPECT_EQ(cases.at(2).at("heading"), "fails:");
   EXPECT_EQ(cases.at(3).at("text"), "one, mujoco-cone: 2 > 1");
-  ASSERT_EQ(beside.maps.size(), 1u);
-  EXPECT_EQ(beside.maps[0].at("columns"), json({{3, 4}}));
-  const json& maps = beside.parts.at("maps");
-  ASSERT_EQ(maps.size(), 3u);
-  EXPECT_EQ(maps[0].at("heading"), "ring");
-  EXPECT_EQ(maps[1].at("text"), "No contact everywhere.");
-  EXPECT_EQ(maps[2], json({{"maps", 0}}));
+  ASSERT_EQ(beside.sweeps.size(), 1u);
+  EXPECT_EQ(beside.sweeps[0], json::parse(kMap));
 }
 
 TEST_F(BesideFolder, RefusesWhatTheyDidNot) {
@@ -111,15 +105,19 @@ TEST_F(BesideFolder, RefusesWhatTheyDidNot) {
   wide.replace(wide.find("[1, 2]"), 6, "[1, 2, 3]");
   top.write("x/sweep.json", wide);
   EXPECT_NE(refusal().find("a grid of 3 cells has 2 points"), std::string::npos) << refusal();
+  std::string linear = kMap;
+  linear.replace(linear.find("\"every\""), 7, R"("linear": {"rub_force": [1]}, "every")");
+  top.write("x/sweep.json", linear);
+  EXPECT_NE(refusal().find("a list of linear has not 2 values"), std::string::npos) << refusal();
   top.write("x/sweep.json", kMap);
   EXPECT_EQ(refusal(), "");
 }
 
 TEST_F(BesideFolder, IsInTheDataOfTheReport) {
   top.write("sweep.json", kMap);
-  EXPECT_NE(report_page({}, read()).find(R"("maps":[{"heading":"ring"})"), std::string::npos);
-  EXPECT_NE(report_page({}).find(R"("beside":{"cases":[],"maps":[],"precision":[]})"),
+  EXPECT_NE(report_page({}, read()).find(R"("sweeps":[{"answer":["No contact everywhere."])"),
             std::string::npos);
+  EXPECT_NE(report_page({}).find(R"("benches":[],"cases":[])"), std::string::npos);
 }
 
 }  // namespace

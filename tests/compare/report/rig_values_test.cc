@@ -46,15 +46,16 @@ TEST(Characteristics, AreTheLawsOwn) {
 TEST(ImpactPlots, LieOnTheLawsThatTheyAreOf) {
   const SceneComparison c = ring_compared({"run.end=0.012"});
   EXPECT_FALSE(c.uncontrolled) << "no controller";
-  const nlohmann::json impacts = plot_data(shown_runs(c))["sides"][0]["impacts"][0];
+  const nlohmann::json data = plot_data(shown_runs(c));
+  const nlohmann::json& impacts = data["sides"][0]["impacts"][0];
+  EXPECT_EQ(data["contacts"][0]["friction"], 0.15);
   ASSERT_GE(impacts["t"].size(), 4U);
   for (std::size_t k = 0; k < impacts["t"].size(); ++k) {
     EXPECT_GT(impacts["slip"][k].get<double>(), 0.0);
-    EXPECT_NEAR(impacts["share"][k].get<double>(), -1.0, 1e-4);
     EXPECT_NEAR(impacts["after"][k].get<double>(), -0.5 * impacts["before"][k].get<double>(),
                 1e-4 * std::abs(impacts["before"][k].get<double>()) + 1e-9);
-    EXPECT_NEAR(impacts["friction"][k].get<double>(), 0.15 * impacts["y"][k].get<double>(),
-                1e-4 * impacts["y"][k].get<double>());
+    EXPECT_NEAR(impacts["friction"][k].get<double>(), -0.15 * impacts["normal"][k].get<double>(),
+                1e-4 * impacts["normal"][k].get<double>());
   }
 }
 

@@ -1,7 +1,7 @@
 // The picture beneath the answer: which runs, and which part of the run.
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import {besideNative, partingWindow} from '../../../compare/report/page/first.js';
+import {besideNative, impulseTrace, partingWindow} from '../../../compare/report/page/first.js';
 
 const named = (...labels) => labels.map((label) => ({label}));
 
@@ -36,4 +36,11 @@ test('two that agree, or never touch, have no picture', () => {
   assert.equal(partingWindow(native, native, whole, 5e-4, 100, 0.02), null);
   const free = run(() => 2e-4, () => 0), freer = run(() => 4e-4, () => 0);
   assert.equal(partingWindow(free, freer, whole, 5e-4, 0, 0.02), null);
+});
+
+test('every impact of the window is a stem of its impulse', () => {
+  globalThis.document = {documentElement: {}};
+  globalThis.getComputedStyle = () => ({getPropertyValue: () => '#123456'});
+  const {x, y} = impulseTrace({label: 'native', points: {t: [0.1, 0.2, 0.3], normal: [4, 5, 6]}}, [0.15, 0.25]);
+  assert.deepEqual([x, y], [[0.2, 0.2, null], [0, 5, null]]);
 });

@@ -19,7 +19,7 @@ const scene = {name: '<b>ring', hash: 'f00', step: 1e-5, end: 0.06, text: 'x = 1
     {text: 'shadow: none'},
     {id: 'verdicts', parts: [{text: 'OUTSIDE cone is off', tone: 'bad', toned: 'OUTSIDE'}, {text: 'why', mark: '-'}, {text: 'within rigid agrees', tone: 'good', toned: 'within'}]}]};
 const data = {scenes: [scene], mode: 'lockstep', tolerance: 0.01, trade: null, versions: {rotorub: '0.2', MuJoCo: '2.2'},
-  beside: {precision: [], cases: [{text: 'all pass'}], maps: []}};
+  benches: [], cases: [{text: 'all pass'}], sweeps: []};
 const partsOf = (given) => {
   const parts = reportParts(given);
   return {parts, scene: parts.find(({id}) => id === 'scene-1').parts, of: (id) => parts.find((part) => part.id === id)};
@@ -68,8 +68,13 @@ test('the first impacts of every run, and the conditions', () => {
 });
 
 test('results of other commands stand where there are any', () => {
-  const ids = partsOf(data).parts.map(({id}) => id).filter(Boolean);
-  assert.deepEqual(ids, ['verdicts', 'scene-1', 'cases', 'glossary']);
+  const idsOf = (given) => partsOf(given).parts.map(({id}) => id).filter(Boolean);
+  assert.deepEqual(idsOf(data), ['verdicts', 'scene-1', 'cases', 'glossary']);
+  const sweeps = [{name: 'ring', answer: ['No contact.']}], benches = [{scene: 'whip', machine: 'here', reference: {source: 'itself'}, engines: [], series: [], points: []}];
+  assert.deepEqual(idsOf({...data, sweeps, benches}).slice(2), ['cases', 'maps', 'precision', 'glossary']);
+  const {of} = partsOf({...data, sweeps, benches});
+  assert.deepEqual(of('maps').parts, [{heading: 'ring'}, {text: 'No contact.'}, {maps: 0}]);
+  assert.deepEqual(of('precision').parts.slice(0, 2), [{heading: 'whip'}, {text: 'Measured on here; reference: itself.'}]);
 });
 
 test('a resync has its onsets in the place of the judged figures', () => {

@@ -2,24 +2,48 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {modesCards, peaksOf} from '../../../compare/report/page/modes_parts.js';
+import {failedParts, statisticsParts} from '../../../compare/report/page/map_parts.js';
 import {bestSoFar, searchMap} from '../../../compare/report/page/optimum.js';
 import {stillParts} from '../../../compare/report/page/still_parts.js';
 
-const found = [{text: 'Whip everywhere.'}, {text: 'All ran.'}, {heading: 'Points that failed'}, {rows: []}];
+const found = [{text: 'Whip everywhere.'}, {text: 'All ran.'}];
 const page = (kind, parts = found) => ({kind, parts});
 const textsOf = (parts) => parts.map(({text}) => text).filter(Boolean);
 
 test('a sweep begins with its answer, and explains what its maps have', () => {
-  const data = {page: page('sweep'), maps: [{every: 1, figures: [{}]}], linear_refused: '', texts: ['study', 'scene']};
+  const data = {page: page('sweep'), maps: [{every: 1, figures: [{}]}], linear_refused: '', statistics: null, texts: ['study', 'scene'],
+    failed: [{status: 'diverged', reason: '<b>nowhere</b>', points: 3, first: 7}]};
   const [answer, maps, hint, sheets] = stillParts(data);
   assert.match(answer.parts[0].markup.text, /class="sentence">Whip everywhere\.</);
   assert.deepEqual([textsOf(answer.parts), maps], [['All ran.'], {maps: 0}]);
   assert.match(hint.text, /^Click a point/);
-  assert.deepEqual(sheets.parts.map((part) => Object.keys(part)[0]), ['heading', 'rows', 'figures', 'summary', 'summary']);
+  assert.deepEqual(sheets.parts.map((part) => Object.keys(part)[0]), ['heading', 'columns', 'text', 'figures', 'summary', 'summary']);
+  assert.deepEqual(sheets.parts[1].rows, [{cells: ['3', '7', 'diverged', '<b>nowhere</b>']}]);
   const more = stillParts({...data, maps: [{every: 3, figures: [{linear: true}]}], linear_refused: 'no ring', bifurcation: {}});
   assert.deepEqual(textsOf(more).map((text) => text.split(/[:.]/)[0]), ['Only one in 3 points is drawn; results',
     'Click a point, or enter its number, to see how to rerun it', 'Linear', 'Linear map']);
   assert.ok(more.some(({parts}) => parts?.some(({plots}) => plots === 'bifurcation')));
+});
+
+test('of many reasons the first fifty are listed, and of none nothing', () => {
+  const failed = Array.from({length: 51}, (_, k) => ({status: 'diverged', reason: `reason ${k}`, points: 1, first: k}));
+  const [, {rows}, {text}] = failedParts(failed);
+  assert.deepEqual([rows.length, text], [50, 'The first fifty reasons; results.csv has all points.']);
+  assert.deepEqual(failedParts([]), []);
+});
+
+test('statistics are a table in the units of the page, with bounds or why there are none', () => {
+  const row = (more) => ({group: ['0.2'], figure: 'mean_force', unit: 'N', statistic: 'mean', estimate: [12.3456, null, null], points: 9, ...more});
+  const of = (...rows) => statisticsParts({keys: ['contact.restitution'], confidence: 0.9, rows});
+  const [, {columns, rows}, {text}] = of(row({}), row({figure: 'whirl', unit: 'rad/s', estimate: [2 * Math.PI, Math.PI, 4 * Math.PI]}),
+    row({figure: 'attractor', unit: '', statistic: 'share rolling', estimate: [0.25, 0.1234, 0.5]}));
+  assert.deepEqual(columns.map(({text: words, number}) => words + (number ? ' #' : '')),
+    ['contact.restitution', 'figure', 'statistic', 'value #', 'from #', 'to #', 'points #']);
+  assert.deepEqual(rows.map(({cells}) => cells), [['0.2', 'mean_force / N', 'mean', '12.35', '', '', '9'], ['0.2', 'whirl / Hz', 'mean', '1', '0.5', '2', '9'],
+    ['0.2', 'attractor', 'share rolling', '25 %', '12.3 %', '50 %', '9']]);
+  assert.match(text, /with a confidence of 90 %, if the points are independent\. The table is in statistics\.csv\./);
+  assert.match(of(row({}))[2].text, /^Bounds need independent points/);
+  assert.deepEqual(statisticsParts(null), []);
 });
 
 test('the map of lasting rubs has the share of each rub', () => {
@@ -50,8 +74,8 @@ test('a bench judges the levels of the headline, and has plots and text with eac
 const rotor = {campbell: {running: 954.93, critical: [830.42, 2000]}};
 const rub = {attractors: ['no contact', 'backward whip'], rubs: [{stable: true}, {stable: false}]};
 const speed = {speed: 250, response: null, rub: null, notes: []};
-const judged = {speed, critical: [{whirl: 'forward'}], unstable_ranges: [], stability_bound: null, rub_refused: null};
-const cardsOf = (more, other = rotor) => modesCards(other, {...judged, ...more});
+const summary = {speeds: [speed], critical: [{whirl: 'forward'}], unstable_ranges: [], stability_bound: null, rub_refused: null};
+const cardsOf = (more, other = rotor) => modesCards({...other, found: {...summary, ...more}});
 const words = ({title, tone, headline, text}) => [title, tone || '', headline, text].join(' | ');
 
 test('the page of modes says how stable the rotor is, and how near the scene is to a critical speed', () => {
@@ -72,19 +96,19 @@ test('and how near it comes to each contact, and what a touch may lead to', () =
   const near = {orbit: 264e-6, least_gap: 236e-6, vibration: 0, vibration_limit: 25.4e-6, refused: null, before_loss: null};
   const far = {...near, orbit: 619e-6, least_gap: -19e-6, vibration: 30e-6};
   const contacts = [{name: 'near', response: near, rub: null, rub_refused: 'no ring'}, {name: 'far', response: far, rub, rub_refused: null}];
-  const [, , , first, second, note, refused, touched] = cardsOf({speed: {...speed, contacts, notes: ['where its law is not linear']}}).map(words);
+  const [, , , first, second, note, refused, touched] = cardsOf({speeds: [{...speed, contacts, notes: ['where its law is not linear']}]}).map(words);
   assert.equal(first, 'Free orbit at near, 2387.3 rpm |  | least gap 236 µm | 264 µm from the middle of the ring, clearance 500 µm');
   assert.equal(second, 'Free orbit at far, 2387.3 rpm | bad | touches, 19 µm beyond | 619 µm from the middle of the ring, clearance 600 µm; ' +
     'vibration 30 µm peak to peak, beyond the 25.4 µm of API 617');
   assert.match(note, /of limited validity \| where its law is not linear/);
   assert.equal(refused, 'Once it touches near |  | not analysed | no ring');
   assert.equal(touched, 'Once it touches far | bad | no contact + backward whip | what is stable at 2387.3 rpm; beside it 1 lasting rub that is not');
-  const lost = cardsOf({speed: {...speed, response: {...far, before_loss: near}}}).slice(3).map(({title}) => title);
+  const lost = cardsOf({speeds: [{...speed, response: {...far, before_loss: near}}]}).slice(3).map(({title}) => title);
   assert.deepEqual(lost, ['Free orbit, before the loss, 2387.3 rpm', 'Free orbit, after the loss, 2387.3 rpm']);
 });
 
 test('the tables of lasting rubs stand in front, with their contacts', () => {
-  const sheets = (...rubs) => stillParts({page: page('modes', [{heading: 'Whirl'}, {id: 'rubs', parts: rubs}]), rotor: {...rotor, bode: null}, loops: [], judged,
+  const sheets = (...rubs) => stillParts({page: page('modes', [{heading: 'Whirl'}, {id: 'rubs', parts: rubs}]), rotor: {...rotor, found: summary, bode: null}, loops: [],
     texts: ['']}).filter((part) => part.class === 'sheets').map(({parts}) => parts.map((part) => part.heading || Object.keys(part)[0]));
   assert.deepEqual(sheets({heading: 'contact a, the others open'}, {heading: 'whirl of both'}, {rows: []}, {heading: 'lasting rubs at 1'}, {rows: []}, {heading: 'the same driven'}),
     [['contact a, the others open', 'lasting rubs at 1', 'rows', 'the same driven'], ['Whirl', 'contact a, the others open', 'whirl of both', 'rows', 'summary']]);

@@ -68,7 +68,8 @@ test('no knots are 0 everywhere', () => assert.equal(track('hold', [[], []]).at(
 const contact = {clearance: 2, gap_tolerance: 1e-9, ring_moves: false};
 const place = (x) => packed('linear', [[0, 1000], [2 * x, 2 * x], [0, 0]], {components: 2});
 const flat = (y) => packed('hermite', [[0, 1000], [2 * y, 2 * y], [0, 0]]);
-const side = () => ({label: 'native', status: 'ok', impacts: [{t: []}, {t: []}],
+const noImpacts = {t: [], normal: [], friction: [], before: [], after: [], slip: []};
+const side = () => ({label: 'native', status: 'ok', impacts: [noImpacts, noImpacts],
   tracks: {rotor: place(1), contact2_rotor: place(-1), gap: flat(1), contact2_gap: flat(1), contact2_normal: flat(7), spin: flat(3)}});
 
 test('a run has its own places at each contact', () => {

@@ -22,17 +22,32 @@ export function runOf(side, scene) {
   return contacts[0];
 }
 
+// A sentence on what a record lacks to be drawn as a run is.
+export function absentOf(tracks, {touches, ring_moves: moves}) {
+  if (!('rotor' in tracks)) return 'The record has no rotor_x with its rotor_y: the measured run is in the plots alone.';
+  const missing = [['ring', moves, 'ring'], ['gap', touches, 'gap'], ['spin_speed', true, 'speed']].filter(([track, asked]) => asked && !(track in tracks));
+  return 'Of the measured run the player shows what its record has; not measured, and not drawn: the shaft\'s shape, the angle of spin' +
+    `${missing.length ? `, ${missing.map(([, , words]) => words).join(', ')}` : ''}.`;
+}
+
+// Impacts as they are drawn: mN s, m/s, and the share of friction times the normal impulse.
+export function pointsOf({t, normal, friction, before, after, slip}, coefficient) {
+  const milli = (list) => list.map((value) => 1e3 * Math.abs(value));
+  return {t, before, after, slip, normal: milli(normal), friction: milli(friction),
+    share: friction.map((impulse, k) => (coefficient > 0 ? impulse / (coefficient * normal[k]) : 0))};
+}
+
 export class Run {
   constructor(side, contact, number, tracks) {
     this.label = side.label;
     this.status = side.status;
     this.measured = Boolean(side.measured);
     this.holes = side.holes || {};
-    this.absent = side.absent || '';
+    this.absent = this.measured ? absentOf(tracks, contact) : '';
     this.clearance = contact.clearance;
     this.finest = contact.gap_tolerance;
     this.number = number;
-    this.points = side.impacts[number];
+    this.points = pointsOf(side.impacts[number], contact.friction);
     this.longestImpact = side.longest_impact ?? Infinity;  // s, with a soft contact
     this.tracks = tracksAt(tracks, number);
     // The position of a ring that does not move is known without a measurement.
