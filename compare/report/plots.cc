@@ -59,7 +59,7 @@ std::vector<Window> plot_windows(const ShownRuns& shown) {
   }
   if (touch < end) {
     windows.push_back(
-        {"first contact", std::max(0.0, touch - 0.1 * turn), std::min(end, touch + turn)});
+        {"first touch", std::max(0.0, touch - 0.1 * turn), std::min(end, touch + turn)});
   }
   windows.push_back({"last turns", std::max(0.0, end - 2.0 * turn), end});
   return windows;
