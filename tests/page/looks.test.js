@@ -56,7 +56,7 @@ test('answers in a sentence and cards, of which every figure stands in the summa
   const page = await open(browser, 'ring/plot.html', {folded: true}), summary = JSON.parse(fs.readFileSync(path.join(folder, 'ring/summary.json')));
   assert.match(await page.locator('.sentence').textContent(), /^Does the rotor rub\? Yes, from 4\.060 ms: \d+ hard impacts, .+; mean normal force [\d.]+ N\.$/);
   const cards = await page.locator('.card').evaluateAll((all) => all.map((one) => [...one.children].map((e) => e.textContent)));
-  assert.deepEqual(cards.map(([title]) => title), ['First contact', 'Mean normal force', 'Largest impact', 'Settles to', 'Margin to a critical speed']);
+  assert.deepEqual(cards.map(([title]) => title), ['First touch', 'Mean normal force', 'Largest impact', 'Settles to', 'Margin to a critical speed']);
   assert.deepEqual([cards[0][1], cards[3][1]], ['4.06 ms', summary.settled.attractor]);
   assert.ok(Math.abs(Number.parseFloat(cards[1][1]) / summary.mean_force - 1) < 5e-3, cards[1][1]);
   assert.ok(await page.evaluate(() => document.querySelector('.cards').getBoundingClientRect().bottom < 500), 'on the first screen');

@@ -34,10 +34,29 @@ double largest(const Values& values) {
   return most;
 }
 
+// For each value the smaller of its size and of the range of the values within a 64th of the run
+// before and after it.
+Values size_or_range(const Values& values) {
+  const std::size_t length = values.size() / 64 + 1, blocks = (values.size() - 1) / length + 1;
+  Values low(blocks, 1e300), high(blocks, -1e300), result;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    low[i / length] = std::min(low[i / length], values[i]);
+    high[i / length] = std::max(high[i / length], values[i]);
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t b = i / length, from = b > 0 ? b - 1 : 0, to = std::min(b + 1, blocks - 1);
+    const double range =
+        std::max({high[from], high[b], high[to]}) - std::min({low[from], low[b], low[to]});
+    result.push_back(std::min(std::abs(values[i]), range));
+  }
+  return result;
+}
+
 // Rows of gap and gap rate. With the rigid law, every impact adds two rows with gap 0, one with the
 // rate before it and one with the rate after it. The pieces between two bounces are then arcs that
 // end at 0, however coarse the rows are. An impact of a soft contact is an episode that is visible
-// in its rows. The tolerance of each row is the larger of `least` (m) and `kShare` of the gap.
+// in its rows. The tolerance of each row is the larger of `least` (m) and `kShare` of the gap or
+// its range nearby (whichever is smaller), so that a gap that hardly changes is drawn as such.
 Samples gap_samples(const Trajectory& run, std::size_t contact, double least) {
   const auto& t = run.column("t");
   const auto& gap = run.column(column_of_contact(contact, "gap"));
@@ -61,8 +80,8 @@ Samples gap_samples(const Trajectory& run, std::size_t contact, double least) {
     }
     put(t[i], gap[i], rate[i]);
   }
-  for (const double g : samples.value[0])
-    samples.tolerance.push_back(std::max(least, kShare * std::abs(g)));
+  for (const double size : size_or_range(samples.value[0]))
+    samples.tolerance.push_back(std::max(least, kShare * size));
   return samples;
 }
 
@@ -156,9 +175,12 @@ class RunPacker {
     if (!bearing.contact) return;
     add_forces("normal", {"normal_force"});
     add_forces("friction", {"friction_force"});
-    packed_[own("gap")] =
-        pack(TrackKind::kHermite, gap_samples(run_, at_, gap_tolerance(bearing.contact->clearance)),
-             run_.is_rigid());
+    const Samples gap = gap_samples(run_, at_, gap_tolerance(bearing.contact->clearance));
+    packed_[own("gap")] = pack(TrackKind::kHermite, gap, run_.is_rigid());
+    // The slope of the gap's track is no substitute: where a step in MuJoCo puts an impact a little
+    // off the arc of its rows, the track between the two is steep.
+    packed_[own("gap_rate")] =
+        pack(TrackKind::kLinear, {gap.t, gap.rate, {}, force_tolerance(gap.rate)});
     add_mode();
     add_impacts();
   }

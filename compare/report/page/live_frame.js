@@ -21,8 +21,8 @@ const runOf = (which, contacts) => html`
 
 const unrolledOf = (contact) => html`
   <figure class="unrolled-figure">
-    <figcaption><b>Gap, unrolled${contact.name && `, ${where(contact)}`}</b> <span class="unit">over the angle</span> — distance
-      of the surfaces, logarithmic; disc and square: where it is least now; behind them the last turn; triangles: impacts</figcaption>
+    <figcaption><b>Gap, unrolled${contact.name && `, ${where(contact)}`}</b> <span class="unit">over the angle</span> — gap
+      around the ring, logarithmic. Disc and square: smallest gap now; fading line: last turn; triangles: impacts</figcaption>
     <canvas class="unrolled" role="img" aria-label="gap around the ring ${where(contact)}, logarithmic"></canvas>
   </figure>`;
 

@@ -71,6 +71,7 @@ export function mapsOf(into, data) {
       const steps = Array.from({length: 6}, (_, k) => colour.low + (k / 5) * (colour.high - colour.low));
       Object.assign(ticks, {tickvals: steps, ticktext: steps.map((v) => short(10 ** v, 2))});
     }
+    if (colour.constant) Object.assign(ticks, {tickvals: [colour.low], ticktext: [short(colour.low)]});
     return {colorscale: scaleOfColours(colour.palette), cmin: colour.low, cmax: colour.high, showscale: true,
       colorbar: Object.assign({title: {text: figure.unit}, thickness: 14, outlinewidth: 0}, ticks)};
   }

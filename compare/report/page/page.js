@@ -36,8 +36,15 @@ export function start(draw) {
   theme();
 }
 
+// Pages of maps keep the units of their study, in which the keys are set.
+const kOwnUnits = ['sweep', 'optimise', 'rub_map', 'feedback_map'];
+
 // The list of units in the page's head; the page's address keeps the choice.
 function chooseUnits(draw) {
+  if (kOwnUnits.includes(data.page?.kind)) {
+    document.querySelector('.unit-system').remove();
+    return;
+  }
   const list = document.getElementById('units'), address = new URL(location.href);
   for (const [key, {name}] of Object.entries(systems)) list.add(new Option(name, key));
   function take(key) {

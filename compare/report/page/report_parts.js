@@ -18,8 +18,8 @@ const bold = ({text: words, tone, toned}) => {
 const sentenceOf = (clauses) => html`<p class="sentence">${clauses.map((clause, k) => html`${k > 0 && '; '}${bold(clause)}`)}.</p>`;
 
 const errorsWords = (columns) => (columns.some(({text: words}) => words.startsWith('off by')) ?
-  'Each error is the largest of the judged figures whose limit can be seen. The error of the contact model remains as the step goes to 0, ' +
-  'the error of the step vanishes with it, and the bending modes left out change both sides.' : '');
+  'Each column shows the judged figure with the largest error of that kind, among those that converge as the step shrinks. The error of the ' +
+  'contact model remains as the step goes to 0, the error of the step vanishes with it, and the bending modes left out change both sides.' : '');
 
 function answerOf({name, setting}, index, {answer}) {
   const at = answer.findIndex(({rows}) => rows), table = answer[at];
@@ -34,16 +34,16 @@ function answerOf({name, setting}, index, {answer}) {
 }
 
 const lead = ({mode, tolerance}) => html`<p class="lead">The native model solves the scene's contact law: rigid (unilateral contact,
-  Poisson's impact, Coulomb friction) or compliant. MuJoCo runs the same scene with each contact model that knows it;
-  <a href="#glossary">what the words mean</a>. <b>Averages only</b>: ${mode === 'resync' ?
+  Poisson's impact, Coulomb friction) or compliant. MuJoCo runs the same scene with each contact model that
+  supports this law; <a href="#glossary">glossary</a>. <b>Averages only</b>: ${mode === 'resync' ?
     `the sums of impulse and duration over all contacts agree within ${percent(tolerance)}; single contacts do not.` :
     `the averages (forces, lasting contact, work, speeds) agree within ${percent(tolerance)}; a figure of single moments (largest impact or
-  impulse, hard impacts, rms gap rate) does not. Where repeated runs, from starts a few units in the last place apart, scatter, a
-  difference has a confidence interval, and one that reaches over the tolerance is undecidable and decides nothing.`}</p>`;
+  impulse, hard impacts, rms gap rate) does not. Repeated runs start a few units in the last place apart. If they
+  scatter, a difference has a confidence interval; if the interval contains the tolerance, the figure is undecidable and does not count.`}</p>`;
 
 const trade = {class: 'trade', id: 'trades', contents: 'What control trades', parts: [{markup: html`<h2>What control trades</h2>
   <p>The contact's mean normal force and the actuators' rms force over the run, over the size of the rotor's orbit at the end of the run, for the native
-  run of each scene. Soft contact can be bought by a wider orbit, and a small orbit by force.</p>
+  run of each scene. A wider orbit allows a softer contact; a small orbit costs force.</p>
   <figure class="square"><figcaption><b>Forces</b> <span class="unit">N</span> over the orbit — dot: mean normal force of the contact;
   square: rms force of the actuators; a line joins the two of one scene</figcaption><div class="plot" data-of="trade" data-plot="trade"></div></figure>`}]};
 

@@ -24,10 +24,10 @@ export function runCards({summary, contacts, rotor}) {
   const touches = touch !== null && touch !== undefined, critical = nearestCritical(rotor);
   const counted = `${hard} hard impact${hard === 1 ? '' : 's'}`;
   const ofContact = !contacts[0].touches ? [] : touches ? [
-    card('First contact', units.duration(Number(touch.toPrecision(4))), `in contact for ${percent(summary.contact_fraction)} of the time after it`),
-    card('Mean normal force', units.force(summary.mean_force), 'from the first contact on, with impacts'),
+    card('First touch', units.duration(Number(touch.toPrecision(4))), `in contact for ${percent(summary.contact_fraction)} of the time after it`),
+    card('Mean normal force', units.force(summary.mean_force), 'from the first touch on, impacts included'),
     impulse > 0 ? card('Largest impact', units.impulse(impulse), counted) : card('Largest force', units.force(force ?? 0), counted),
-  ] : [card('First contact', 'none', typeof gap !== 'number' ? 'in this run' : `smallest gap ${units.length(gap)}, ${percent(gap / contacts[0].clearance)} of the clearance`)];
+  ] : [card('First touch', 'none', typeof gap !== 'number' ? 'in this run' : `smallest gap ${units.length(gap)}, ${percent(gap / contacts[0].clearance)} of the clearance`)];
   return [...ofContact,
     card('Settles to', settled?.attractor ?? 'unknown', settled?.whirl_frequency ?
       `whirl at ${short(settled.whirl_frequency / (2 * Math.PI))} Hz in the last fifth of the run` : 'in the last fifth of the run'),
@@ -41,7 +41,7 @@ const isRub = ({text}) => text?.startsWith('rubs: ');
 export function runParts({scenes: [scene], versions, ending}) {
   const [side, shadow] = scene.sides, {parts} = scene, facts = [['rotorub', versions.rotorub], ['scene hash', scene.hash], ['run', engineOf(side)],
     ...(shadow ? [['shadow', engineOf(shadow)]] : []), ['steps', String(side.steps)], ...(side.step > 0 ? [['step', units.duration(side.step)]] : []),
-    ['rows', String(side.rows)], ['impacts', String(side.impacts_written)]];
+    ['rows', String(side.rows)], ['rows in impacts.csv', String(side.impacts_written)]];
   const rub = parts.find(isRub), figures = parts.filter(({rows}) => rows), told = parts.filter(({text, mark}) => text && /^(warning|note): /.test(text) && !mark);
   const sentence = rub && html`<p class="sentence"><b>Does the rotor rub?</b> ${upperFirst(rub.text.slice('rubs: '.length))}.</p>`;
   return [{id: 'answer', class: 'run-answer', contents: 'Answer', parts: [...(sentence ? [{markup: sentence}] : []), {cards: runCards(scene)}, ...told]},

@@ -30,7 +30,7 @@ export function colourScale(column, chosen, signed) {
   if (signed) { high = Math.max(Math.abs(low), Math.abs(high)); low = -high; }
   const palette = signed ? below2above : low2high, log = low > 0 && high > 100 * low;
   const place = (v) => (log ? Math.log10(v) : v), span = place(high) - place(low) || 1;
-  return {log, palette, low: place(low), high: place(low) + span, place, of: (v) => shade((place(v) - place(low)) / span, palette)};
+  return {log, palette, constant: low === high, low: place(low), high: place(low) + span, place, of: (v) => shade((place(v) - place(low)) / span, palette)};
 }
 
 // The indices of the points of a complete grid, one list for each key; the last key varies fastest.

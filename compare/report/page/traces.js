@@ -21,7 +21,7 @@ const component = (name, factor = 1, c = 0) => ({track: name, read: (run, t) => 
 const size = (name, factor = 1) => ({track: name, read: (run, t) => factor * run.tracks[name].length(t)});
 const series = {
   gap: component('gap', 1e6),
-  gap_rate: {track: 'gap', jumps: true, read: (run, t) => 1e3 * run.tracks.gap.rate(t)},
+  gap_rate: {...component('gap_rate', 1e3), jumps: true},
   rotor_x: component('rotor', 1e6),
   normal_force: component('normal'),
   sample_force: component('force'),
@@ -39,7 +39,7 @@ function sampled(run, key, [from, to]) {
   return opened(thinned(t, t.map((time) => read(run, time)), kBuckets), run.holes?.[track]);
 }
 
-const has = (run, key) => run.has(series[key].track) && !(series[key].jumps && run.tracks[series[key].track].kind !== 'hermite');
+const has = (run, key) => run.has(series[key].track);
 
 export function timeTraces(runs, key, range) {
   return behindFirst(runs).filter((run) => has(run, key)).map((run) => {
@@ -114,22 +114,20 @@ function pathTraces({scene, contact, runs}, key, range) {
     curve(run, track, range, read(run), '', isFront(run.label) ? 2.4 : 1.4))];
 }
 
-// The first two runs, native and the contact model that is judged, set the height of a force plot;
-// a run that exceeds it is named in a note, so that it does not flatten the others.
+// The first two runs, native and the contact model that is judged, set the height of a force plot if another run would
+// flatten them; every run that then leaves the axis is named in a note.
 export function heightFor(traces) {
   const extent = (list) => list.reduce((e, trace) => trace.y.reduce(
     (f, y) => [Math.min(f[0], y), Math.max(f[1], y)], e), [0, 0]);
   const [low, high] = extent(traces.slice(-2));
   const room = 0.08 * (high - low);
   const range = [low < 0 ? low - room : -room, high > 0 ? high + room : room];
-  const notes = [];
-  for (const trace of traces.slice(0, -2)) {
-    const [least, most] = extent([trace]);
-    const far = Math.abs(least) > most ? least : most;
-    if (high === low || (least >= 3 * range[0] && most <= 3 * range[1])) continue;
-    notes.push({text: `${trace.name} reaches ${number(far, 3)} N`, color: trace.line.color});
-  }
-  return notes.length ? {axis: {range}, notes} : {};
+  const beyond = traces.slice(0, -2).map((trace) => ({trace, ends: extent([trace])}));
+  const leaves = ([least, most], times) => least < times * range[0] || most > times * range[1];
+  if (high === low || !beyond.some(({ends}) => leaves(ends, 3))) return {};
+  const notes = beyond.filter(({ends}) => leaves(ends, 1)).map(({trace, ends: [least, most]}) =>
+    ({text: `${trace.name} reaches ${number(Math.abs(least) > most ? least : most, 3)} N`, color: trace.line.color}));
+  return {axis: {range}, notes};
 }
 
 function turnsPlot({contact, runs}, {key, range, hidden}) {

@@ -115,6 +115,24 @@ void expect_gap(const Packed& p, std::size_t contact = 0) {
   }
 }
 
+// At the rows, and between them never more than at the rows and impacts beside.
+void expect_gap_rate(const Packed& p, std::size_t contact) {
+  const UnpackedTrack unpacked(p.tracks.at(of(contact, "gap_rate")));
+  const auto& t = p.run.column("t");
+  const auto& rate = p.run.column(of(contact, "gap_rate"));
+  double most = 0.0;
+  for (const double value : rate) most = std::max(most, std::abs(value));
+  for (const Impact& impact : counted_impacts(p.run, contact)) {
+    if (p.run.is_rigid()) most = std::max(most, std::abs(impact.gap_rate_before));
+  }
+  const double tolerance = 0.01 * most * kRound;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    ASSERT_NEAR(unpacked.at(t[i], 0), rate[i], tolerance) << t[i];
+    for (double at = t[i]; i + 1 < t.size() && at < t[i + 1]; at += 0.1 * (t[i + 1] - t[i]))
+      ASSERT_LE(std::abs(unpacked.at(at, 0)), most + tolerance) << at;
+  }
+}
+
 void expect_modes(const Packed& p, std::size_t contact) {
   const UnpackedTrack unpacked(p.tracks.at(of(contact, "mode")));
   const auto& t = p.run.column("t");
@@ -129,6 +147,7 @@ void expect_all(const Packed& p) {
     if (p.scene.auxiliary[k].stator)
       expect_places(p, of(k, "ring"), of(k, "stator_x"), of(k, "stator_y"));
     expect_gap(p, k);
+    expect_gap_rate(p, k);
     expect_modes(p, k);
     expect_forces(p, of(k, "normal"), {of(k, "normal_force")});
     expect_forces(p, of(k, "friction"), {of(k, "friction_force")});
@@ -267,6 +286,26 @@ TEST(PackedRun, NeverPenetratesBetweenRowsOfTheRigidLaw) {
   for (double t = 0.0; t < 0.115; t += 1e-6) least = std::min(least, gap.at(t, 0));
   EXPECT_GE(least, -gap_tolerance(scene.first().contact->clearance));
   expect_gap(p);
+}
+
+// A rotor that waits at a constant gap for its load is drawn at that gap, although 1 % of it is far
+// more than its motion.
+TEST(PackedRun, AGapThatHardlyChangesIsFlat) {
+  const scene::Scene scene = test::shipped("bench_drop", {"run.end=0.002"});
+  RunRequest request;
+  Trajectory run = native_engine(scene::Integrator::kEvent)->run(scene, request);
+  const auto& t = run.column("t");
+  for (Column& column : run.series) {
+    if (column.name != "gap" && column.name != "gap_rate") continue;
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      const double w = 300.0, size = 1e-7;
+      column.values[i] =
+          column.name == "gap" ? 4e-4 + size * std::sin(w * t[i]) : size * w * std::cos(w * t[i]);
+    }
+  }
+  const Packed p = packed(scene, std::move(run));
+  const UnpackedTrack gap(p.tracks.at("gap"));
+  for (double at = 0.0; at < 0.002; at += 1e-6) ASSERT_NEAR(gap.at(at, 0), 4e-4, 1.4e-7) << at;
 }
 
 TEST(PackedRun, HasNothingThatTheSceneHasNot) {

@@ -132,4 +132,6 @@ test('the first two runs set the height of a force plot, and another that leaves
   const {axis, notes} = heightFor([trace('cone', [0, 14050]), rigid, native]);
   assert.ok(axis.range[1] > 100 && axis.range[1] < 120);
   assert.equal(notes[0].text, 'cone reaches 14,100 N');
+  const both = heightFor([trace('cone-default', [0, 149]), trace('coulomb', [0, 700]), rigid, native]).notes;
+  assert.deepEqual(both.map(({text}) => text), ['cone-default reaches 149 N', 'coulomb reaches 700 N']);
 });

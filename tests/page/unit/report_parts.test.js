@@ -32,7 +32,7 @@ test('the answer is one sentence with its tones, then the table, and the notes i
   const sentence = head.markup.text.match(/<p class="sentence">(.*?)<\/p>/)[1];
   assert.equal(sentence, '<b>MuJoCo alone</b>: <b class="bad">no</b> (gap: 0); <b>with the rigid law</b>: <b class="good">yes</b>.');
   assert.equal(table.class, 'cards-when-small');
-  assert.match(notes.text, /^One\. Two\. Each error is/);
+  assert.match(notes.text, /^One\. Two\. Each column shows/);
 });
 
 test('judged figures stand with their differences, and all figures with their meanings', () => {
@@ -96,7 +96,7 @@ test('the page of one run has its engine, its end and its facts', () => {
   assert.equal(answer.parts[2].text, 'warning: the step is long');
   assert.equal(run.title, 'native, integrator event, contact rigid');
   assert.equal(run.conditions, '60 ms simulated');
-  assert.deepEqual(run.parts.find(({id}) => id === 'run-conditions').parts[0].facts.map(([name]) => name), ['rotorub', 'scene hash', 'run', 'steps', 'rows', 'impacts']);
+  assert.deepEqual(run.parts.find(({id}) => id === 'run-conditions').parts[0].facts.map(([name]) => name), ['rotorub', 'scene hash', 'run', 'steps', 'rows', 'rows in impacts.csv']);
   assert.equal(words.id, 'glossary');
 });
 

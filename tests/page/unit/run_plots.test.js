@@ -15,11 +15,13 @@ test('a plot stands where a run has its data', () => {
   for (const key of ['gap', 'friction_law', 'torsion', 'force_spread', 'spectrum', 'orbit']) assert.ok(keys.includes(key), key);
   for (const key of ['current', 'motor', 'residual', 'poincare', 'sample_force', 'measured_minus']) assert.ok(!keys.includes(key), key);
   const two = keysOf(runPlots({...scene, sides: [...scene.sides, side('cone', ['rotor', 'current', 'motor_torque', 'force'])]}));
-  for (const key of ['current', 'actuator', 'motor', 'residual', 'sample_force']) assert.ok(two.includes(key), key);
+  assert.ok(!two.includes('motor'), 'a machine without a motor');
+  for (const key of ['current', 'actuator', 'residual', 'sample_force']) assert.ok(two.includes(key), key);
+  assert.ok(keysOf(runPlots({...scene, motor: {x: [], y: []}, sides: [side('native', ['motor_torque'])]})).includes('motor'));
 });
 
 test('a constant and two impacts are no plot, and only the scenes of the paper have its figures', () => {
-  const still = {...side('native', ['rotor', 'gap', 'spin_speed']), impacts: [{t: [1, 2]}]};
+  const still = {...side('native', ['rotor', 'gap', 'gap_rate', 'spin_speed']), impacts: [{t: [1, 2]}]};
   still.tracks.spin_speed.knots = 2;
   const plots = runPlots({name: 'ring', contacts: [contact('')], sides: [still]});
   assert.deepEqual(keysOf(plots).filter((key) => /spin|impacts|law|normal_force/.test(key)), []);

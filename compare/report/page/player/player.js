@@ -147,12 +147,12 @@ export class Player {
     const {force, impulse, control, current} = this.scales, {rig, contacts} = this.scene, words = [];
     if (this.rig === null) words.push('This browser has no WebGL: the rig itself is not shown.');
     const times = [...new Set(contacts.map((contact) => contact.section_magnification.toLocaleString('en')))].join(', ');
-    if (this.touches) words.push(`Cross-section, which goes with the ring: displacements and clearance × ${times}, bodies to scale with each other; ○ keyphasor, once a turn.`);
-    if (!rig.has_shape && this.rig !== null) words.push('The scene gives modes, not a shaft: a plain bow stands for its shape.');
-    if (force > 0) words.push(`Longest force arrow ${units.force(force)}${this.shown.length > 1 ? ' in both runs' : ''}; a double head: beyond it.`);
+    if (this.touches) words.push(`The cross-section moves with the ring. Displacements and clearance are magnified ${times} times; rotor and ring are not. ○ marks the keyphasor, once per turn.`);
+    if (!rig.has_shape && this.rig !== null) words.push('The scene has modal data without a shaft geometry, so the shaft is drawn as a simple bow.');
+    if (force > 0) words.push(`Arrows are cut at ${units.force(force)}${this.shown.length > 1 ? ' in both runs' : ''}; a double head marks a larger force.`);
     if (impulse > 0) words.push(`Longest impulse stem ${units.impulse(impulse)}.`);
     if (control > 0) words.push(`Longest control arrow ${units.force(control)}.`);
-    if (current > 0) words.push(`Bars beside the ring: coil currents, in full ${units.current(current)}, outwards positive.`);
+    if (current > 0) words.push(`Bars beside the ring: coil currents, full length ${units.current(current)}, positive outwards.`);
     words.push(...this.runs.concat(this.left).map((run) => run.absent).filter(Boolean));
     this.element.querySelector('.player-note').textContent = words.join(' ');
   }

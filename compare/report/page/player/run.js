@@ -4,7 +4,7 @@ import {Track} from './tracks.js';
 
 const kModes = ['free', 'slide', 'stick'];
 // The tracks that a run has for each contact; for the further contacts the names begin with contact2_, contact3_, ...
-const kOfEach = ['rotor', 'ring', 'gap', 'normal', 'friction', 'force', 'mode', 'impacts', 'control', 'current', 'ring_spin', 'ring_speed'];
+const kOfEach = ['rotor', 'ring', 'gap', 'gap_rate', 'normal', 'friction', 'force', 'mode', 'impacts', 'control', 'current', 'ring_spin', 'ring_speed'];
 
 // The tracks as the contact of this number (from 0) has them.
 export function tracksAt(tracks, number) {
@@ -80,7 +80,7 @@ export class Run {
       rotor = [ring[0] + radius * e[0], ring[1] + radius * e[1]];
     }
     return {t, ring, rotor, e, angle: Math.atan2(d[1], d[0]), gap,
-      gapRate: this.has('gap') && !this.measured ? this.tracks.gap.rate(t) : null,
+      gapRate: this.value('gap_rate', t),
       spin: this.value('spin', t), speed: this.value('spin_speed', t), ringSpin: this.value('ring_spin', t),
       force: this.value('force', t), normal: this.value('normal', t), friction: this.value('friction', t),
       mode: this.has('mode') ? kModes[Math.round(this.value('mode', t))] : null,

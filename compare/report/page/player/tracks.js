@@ -1,11 +1,9 @@
 // Packed tracks (compare/report/pack/track.h). They are unpacked at the first use and can be read at any time.
 import {countUntil} from '../scales.js';
 
-// The cubic Hermite polynomial over h at the fraction s, and its rate.
+// The cubic Hermite polynomial over h at the fraction s.
 const cubic = (a, da, b, db, h, s) =>
   (1 - s) * (1 - s) * ((1 + 2 * s) * a + s * h * da) + s * s * ((3 - 2 * s) * b - (1 - s) * h * db);
-const cubicRate = (a, da, b, db, h, s) =>
-  6 * s * (1 - s) * (b - a) / h + (1 - s) * (1 - 3 * s) * da + s * (3 * s - 2) * db;
 
 // Decodes whole numbers: differences in zigzag form, seven bits per byte. Times exceed 2^31 ticks, so bit operations cannot be
 // used.
@@ -74,16 +72,6 @@ export class Track {
     const v = this.rates[c];
     const between = cubic(y[k], v[k], y[k + 1], v[k + 1], h * this.packed.tick, s);
     return this.packed.floored ? Math.max(between, Math.min(y[k], y[k + 1], 0)) : between;
-  }
-
-  // The rate of a hermite track, per second; at a jump, the rate after it.
-  rate(t, c = 0) {
-    if (this.knots === 0) return 0;
-    const now = this.toTicks(t), k = this.before(now), v = this.rates[c];
-    if (k < 0 || k + 1 === this.knots) return v[Math.max(k, 0)];
-    const h = this.ticks[k + 1] - this.ticks[k], y = this.values[c];
-    if (this.packed.floored && now > this.ticks[k] && this.at(t, c) === Math.min(y[k], y[k + 1], 0)) return 0;
-    return cubicRate(y[k], v[k], y[k + 1], v[k + 1], h * this.packed.tick, (now - this.ticks[k]) / h);
   }
 
   length(t) {
