@@ -35,20 +35,24 @@ inline constexpr double kNoNormal = 1e-15;
 
 inline ContactPoint contact_kinematics(const Eigen::Vector2d& d, const Eigen::Vector2d& dv,
                                        double spin, double radius, double clearance) {
+  // Plain numbers, because reading two of them back as one vector stalls the hot loops.
+  const double x = d.x(), y = d.y(), vx = dv.x(), vy = dv.y();
+  const double delta = std::sqrt(x * x + y * y);
   ContactPoint p;
-  p.d = d;
-  p.dv = dv;
+  p.d = {x, y};
+  p.dv = {vx, vy};
   p.spin = spin;
-  p.delta = std::sqrt(d.squaredNorm());
-  p.gap = clearance - p.delta;
-  p.has_normal = p.delta > kNoNormal;
+  p.delta = delta;
+  p.gap = clearance - delta;
+  p.has_normal = delta > kNoNormal;
   if (!p.has_normal) {
     p.slip = radius * spin;
     return p;
   }
-  p.e_r = d / p.delta;
-  p.gap_rate = -p.e_r.dot(dv);
-  p.slip = p.whirl_speed() + radius * spin;
+  const double ex = x / delta, ey = y / delta;
+  p.e_r = {ex, ey};
+  p.gap_rate = -(ex * vx + ey * vy);
+  p.slip = (ex * vy - ey * vx) + radius * spin;
   return p;
 }
 

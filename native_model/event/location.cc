@@ -72,11 +72,11 @@ std::optional<double> locate_contact(const Model& m, std::size_t contact, Smooth
   const double clearance = m.auxiliary[contact].contact->clearance;
   const Eigen::Vector2d d0 = separation(m, start.q(), contact),
                         d1 = separation(m, step.end(), contact);
-  // Out of reach: the distance stays below the larger end distance plus the path at twice the
-  // larger speed.
+  // Out of reach: at twice the larger speed the centre gets no further than from one end of the
+  // step outwards and back to the other end.
   const double speed = std::max(centre(m, contact, start.v()).norm(),
                                 centre(m, contact, step.end() + m.nq()).norm());
-  const double reach = std::max(d0.norm(), d1.norm()) + 2.0 * speed * step.length();
+  const double reach = 0.5 * (d0.norm() + d1.norm()) + speed * step.length();
   if (reach < clearance) return {};
 
   return first_contact(outside(path_of(m, contact, step), d0, clearance), departure);

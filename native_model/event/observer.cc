@@ -112,17 +112,17 @@ void Observer::bins_until(double now, bool flies, F&& impulses_at) {
 }
 
 void Observer::watch(const Motion& from, SmoothStep& step, Constraint& constraint, double now) {
-  const auto theta = [&](double t) { return (t - from.t) / step.length(); };
+  const double last = step.theta(now);
   ContactList<int> closed;  // indices of their impulses in y
   for (std::size_t k = 0; k < phase_->contacts(); ++k) {
     const ContactStatistics& own = of_contacts_[k];
     if (phase_->in_contact(k) || own.contact_time > 0.0 || own.impulse_total > 0.0) {
-      follow(k, from, step, std::min(1.0, theta(now)));
+      follow(k, from, step, last);
     }
     if (!phase_->in_contact(k)) continue;
     closed.push_back(from.index(kNormalImpulse, k));
     of_contacts_[k].contact_time += now - from.t;
-    if (model_->auxiliary[k].is_compliant()) watch_touch(k, step, std::min(1.0, theta(now)));
+    if (model_->auxiliary[k].is_compliant()) watch_touch(k, step, last);
   }
   for (double t = recorder_->next_time(); t < now; t = recorder_->next_time())
     recorder_->row(within(from, step, constraint, t));
@@ -155,7 +155,7 @@ void Observer::follow(std::size_t k, const Motion& from, SmoothStep& step, doubl
 void Observer::follow_mark(const Motion& from, SmoothStep& step, Constraint& constraint,
                            double now) {
   const Model& m = *model_;
-  const double last = std::min(1.0, (now - from.t) / step.length());
+  const double last = step.theta(now);
   const double* end = last < 1.0 && m.layout.spin ? step.at(last) : step.end();
   Keyphasor& keyphasor = recorder_->keyphasor();
   keyphasor.follow(spin_angle(m, now, end), [&](double mark) {

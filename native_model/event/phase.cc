@@ -132,13 +132,12 @@ double Phase::mu_sign(const ClosedContact& c) const {
 }
 
 // The force of one closed contact: its gap acceleration is 0 (or its normal force is known), and so
-// is its slip acceleration if it sticks.
-PlanarImpulse Phase::force_of_one(const ClosedContact& c) const {
+// is its slip acceleration if it sticks. coupling: InverseMass::coupling_at(c.index).
+PlanarImpulse Phase::force_of_one(const ClosedContact& c, const Eigen::Vector3d& coupling) const {
   const AtContact& at = at_[c.index];
   const double radius = model_->auxiliary[c.index].contact->radius;
   const Delassus g =
-      delassus(inverse_mass_.admittance(at.admittance, inverse_mass_.coupling_at(c.index)),
-               c.point.e_r, radius);
+      delassus(inverse_mass_.admittance(at.admittance, coupling), c.point.e_r, radius);
   const Eigen::Vector2d b = free_acceleration(c);
   const std::optional<double> known = compliant_force(c);
   if (at.state.mode != Mode::kStick) {
@@ -183,8 +182,11 @@ void Phase::forces_of_several(double t, const double* q, PlanarImpulse* forces) 
 // accelerations a.
 void Phase::add_contact_forces(double t, const double* q, double* a) {
   std::array<PlanarImpulse, kMaxContacts> forces;  // not initialised: this is the hot loop
+  std::array<Eigen::Vector3d, kMaxContacts> couplings;
+  for (std::size_t i = 0; i < closed_.size(); ++i)
+    couplings[i] = inverse_mass_.coupling_at(closed_[i].index);
   if (closed_.size() == 1) {
-    forces[0] = force_of_one(closed_[0]);
+    forces[0] = force_of_one(closed_[0], couplings[0]);
   } else if (closed_.size() > 1) {
     forces_of_several(t, q, forces.data());
   }
@@ -193,7 +195,7 @@ void Phase::add_contact_forces(double t, const double* q, double* a) {
     const auto [normal, friction] = forces[i];
     set_margins(c, normal, friction);
     const double radius = model_->auxiliary[c.index].contact->radius;
-    inverse_mass_.add_response(c.index, inverse_mass_.coupling_at(c.index),
+    inverse_mass_.add_response(c.index, couplings[i],
                                contact_load(c.point.e_r, radius, normal, friction), a);
   }
 }

@@ -153,7 +153,7 @@ class Phase {
   double mu_sign(const ClosedContact& at) const;
   double scale_of(const ContactPoint& point, double normal, const double* q, const double* v) const;
   void find_closed(const double* q, const double* v);
-  PlanarImpulse force_of_one(const ClosedContact& at) const;
+  PlanarImpulse force_of_one(const ClosedContact& c, const Eigen::Vector3d& coupling) const;
   void forces_of_several(double t, const double* q, PlanarImpulse* forces) const;
   void add_contact_forces(double t, const double* q, double* a);
   void integrate(const ClosedContact& at, double* integrals) const;

@@ -2,6 +2,7 @@
 // follow the motion, and dense output on request.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -58,6 +59,10 @@ class SmoothStep {
   void add_increments(int i, std::span<const double> times, double* to);
   const double* term(int d);  // of the nested form, see Dop853
   double time(double theta) const { return start_ + theta * step_.step(); }
+  // The theta of an instant `t` (s); exactly 1 at the end of the step and beyond it.
+  double theta(double t) const {
+    return t >= end_time_ ? 1.0 : std::min(1.0, (t - start_) / step_.step());
+  }
   // Evaluates the phase's multipliers and margins at a state within the step.
   void evaluate(const Motion& motion);
   // The margins of a contact at theta; its normal force, N.

@@ -52,10 +52,11 @@ class FixedRun {
         recorder_(model, options.output_times.value_or(output_times(run)), kWindowSteps * run.step),
         stepper_(make_stepper(integrator, model, step)),
         commands_(model, *stepper_, step),
-        velocity_(static_cast<std::size_t>(model.nq())),
         points_(contacts_),
+        last_points_(contacts_),
         others_(contacts_ - 1),
         message_(step_refusal(model, step)) {
+    now_.others = others_;
     episodes_.resize(contacts_);
     for (std::size_t i = 0; i < contacts_; ++i) {
       if (model.auxiliary[i].is_compliant()) episodes_[i].emplace(recorder_, static_cast<int>(i));
@@ -144,10 +145,9 @@ class FixedRun {
         fail(done.status, t, status_reason(done.status));
         break;
       }
-      stepper_->last_velocity(velocity_.data());
       if (k == 0) begin(done, kick);
       // Half of a step's effect lies before t_k and half after; all of the first step's lies after.
-      const Reached now = reach(t, stepper_->last_q(), velocity_.data());
+      const Reached now = reach(t, stepper_->last_q(), stepper_->last_velocity());
       // Impacts separate the two halves.
       const bool whole = k > 0 && k < steps_ && hits.impacts.empty() && done.impacts.empty();
       if (whole) {
@@ -171,33 +171,34 @@ class FixedRun {
 
   // ------------------------------------------------------------------ what is recorded
   Reached reach(double t, const double* q, const double* v) {
-    last_points_ = points_;
+    last_points_.swap(points_);
     for (std::size_t i = 0; i < contacts_; ++i) {
       if (model_.auxiliary[i].contact) points_[i] = contact_point(model_, q, v, i);
     }
     return {t, q, v};
   }
 
-  // Force of lasting contact, as its impulse over `kick` (s), plus the force of an impact that
-  // takes time; other impacts do not contribute.
-  static ContactSnapshot contact_snapshot(const ContactStep& did, double kick) {
+  // Writes into now_ the state and, as their impulses over `kick` (s), the forces of lasting
+  // contact, plus the force of an impact that takes time; other impacts do not contribute. row:
+  // whether the actuators are shown.
+  const Snapshot& snapshot(const Reached& at, const FixedStep& done, double kick, bool row) {
     const double scale = 1.0 / kick;
-    return {scale * did.lasting.x() + did.impact_force.x(),
-            scale * did.lasting.y() + did.impact_force.y(),
-            did.mode,
-            {}};
-  }
-  Snapshot snapshot(const Reached& at, const FixedStep& done, double kick, bool row) {
-    const auto of = [&](std::size_t i) {
-      ContactSnapshot s;
-      if (i < 1 + done.others.size()) s = contact_snapshot(done.at(i), kick);
-      if (!row) return s;
-      s.actuator = actuator_state(model_, at.q, at.v, commands_.shown(i), i);
-      s.actuator.outputs = commands_.outputs(i);
-      return s;
-    };
-    for (std::size_t i = 1; i < contacts_; ++i) others_[i - 1] = of(i);
-    return {of(0), at.t, at.q, at.v, others_};
+    now_.t = at.t;
+    now_.q = at.q;
+    now_.v = at.v;
+    for (std::size_t i = 0; i < 1 + done.others.size(); ++i) {
+      ContactSnapshot& shown = i == 0 ? now_ : others_[i - 1];
+      const ContactStep& did = done.at(i);
+      shown.normal_force = scale * did.lasting.x() + did.impact_force.x();
+      shown.friction_force = scale * did.lasting.y() + did.impact_force.y();
+      shown.mode = did.mode;
+    }
+    for (std::size_t i = 0; row && i < contacts_; ++i) {
+      ActuatorState& actuator = (i == 0 ? now_ : others_[i - 1]).actuator;
+      actuator = actuator_state(model_, at.q, at.v, commands_.shown(i), i);
+      actuator.outputs = commands_.outputs(i);
+    }
+    return now_;
   }
 
   void begin(const FixedStep& done, double kick) {
@@ -310,10 +311,10 @@ class FixedRun {
   Recorder recorder_;
   std::unique_ptr<FixedStepper> stepper_;
   StepCommands commands_;
-  std::vector<double> velocity_;
   std::vector<ContactPoint> points_, last_points_;        // at the last state and the one before it
   std::vector<std::optional<ContactEpisodes>> episodes_;  // for compliant contacts
-  std::vector<ContactSnapshot> others_;
+  std::vector<ContactSnapshot> others_;                   // of now_
+  Snapshot now_;                                          // the last state that was recorded
   std::array<Mode, kMaxContacts> modes_{};
   std::string message_;
   Status status_ = Status::kOk;

@@ -21,10 +21,14 @@ StepCommands::StepCommands(const Model& model, FixedStepper& stepper, double ste
       step_(step),
       velocity_(static_cast<std::size_t>(model.nq())),
       acceleration_(velocity_) {
-  for (std::size_t i = 0; i < model.auxiliary.size(); ++i) holds_.emplace_back(model, i);
+  for (std::size_t i = 0; i < model.auxiliary.size(); ++i) {
+    holds_.emplace_back(model, i);
+    idle_ = idle_ && !model.auxiliary[i].controller && !model.auxiliary[i].recorded;
+  }
 }
 
 void StepCommands::hold(std::int64_t k) {
+  if (idle_) return;
   const double t = time(k);
   for (std::size_t i = 0; i < holds_.size(); ++i) {
     const CommandRecord* recorded = model_.auxiliary[i].recorded.get();
@@ -36,6 +40,7 @@ void StepCommands::hold(std::int64_t k) {
 }
 
 void StepCommands::mean_about(std::int64_t k) {
+  if (idle_) return;
   const double t = time(k), end = t + 0.5 * step_, begin = k == 0 ? t : t - 0.5 * step_;
   bool known = false;
   for (std::size_t i = 0; i < holds_.size(); ++i) shown_[i] = holds_[i].held();

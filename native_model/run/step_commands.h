@@ -55,6 +55,7 @@ class StepCommands {
   FixedStepper& stepper_;
   double step_;
   std::vector<ZeroOrderHold> holds_;
+  bool idle_ = true;  // no ring has a command during the run
   Commands command_ = none(), shown_ = none();
   std::vector<double> velocity_, acceleration_;
   std::string failure_;

@@ -73,12 +73,9 @@ void StepContacts::write_results(FixedStep& out) const {
   out.impacts = impacts;
 }
 
-double StepContacts::lasting_work(const StepState& state) const {
-  const double *start = state.v_start.data(), *end = end_without_impacts(state);
-  double mean[kMaxCoordinates], work = 0.0;
-  if (has_results_) {
-    for (int j = 0; j < state.nq(); ++j) mean[j] = 0.5 * (start[j] + end[j]);
-  }
+double StepContacts::lasting_work(const double* mean) const {
+  if (!has_results_) return 0.0;
+  double work = 0.0;
   for (std::size_t i = 0; i < count(); ++i) {
     if (!(results_[i].lasting.x() > 0.0)) continue;
     const Contact& c = contacts_[i];

@@ -241,21 +241,19 @@ bool LoadKick::exchange_commands(StepState& state, const Commands& before) {
   return true;
 }
 
-double LoadKick::external_work(const StepState& state, const double* end) {
-  const double *q = state.q_k.data(), *start = state.v_start.data(),
-               *stiffness = m_.stiffness.data();
-  double *f = f_.data(), *v = change_.data();
+double LoadKick::external_work(const StepState& state, const double* mean) {
+  const double *q = state.q_k.data(), *stiffness = m_.stiffness.data();
   const int mechanical = m_.layout.mechanical();
-  ROTORUB_APART for (int i = 0; i < state.nq(); ++i) v[i] = 0.5 * (start[i] + end[i]);
   if (forces_known_) {
     const double* all = forces_.data();
     const double power =
-        sum(mechanical, [=](int i) { return (all[i] + stiffness[i] * q[i]) * v[i]; });
-    return state.h * (power + extra_power(m_, angles_, q, v));
+        sum(mechanical, [=](int i) { return (all[i] + stiffness[i] * q[i]) * mean[i]; });
+    return state.h * (power + extra_power(m_, angles_, q, mean));
   }
-  force(state, v, f, Of::kWorking);
-  const double power = sum(mechanical, [=](int i) { return f[i] * v[i]; });
-  return state.h * (power - coupling_power(m_, q, v));
+  double* f = f_.data();
+  force(state, mean, f, Of::kWorking);
+  const double power = sum(mechanical, [=](int i) { return f[i] * mean[i]; });
+  return state.h * (power - coupling_power(m_, q, mean));
 }
 
 // ------------------------------------------------------------------ the iteration

@@ -87,10 +87,10 @@ class LoadKick {
   void solve_uncoupled(double* f) { matrix_.solve_uncoupled(f); }
   const VelocityMatrix& matrix() const { return matrix_; }
 
-  // J, work over h of the forces F at the mean of v_start and `end`. It excludes forces that the
-  // stored energy contains (springs and, with a free spin, unbalance, which is inertial). If the
-  // velocities were iterated, it takes the forces of the last round.
-  double external_work(const StepState& state, const double* end);
+  // J, work over h of the forces F at the velocities `mean`, the mean over the step. It excludes
+  // forces that the stored energy contains (springs and, with a free spin, unbalance, which is
+  // inertial). If the velocities were iterated, it takes the forces of the last round.
+  double external_work(const StepState& state, const double* mean);
   // Call it if the velocities are changed otherwise after the iteration.
   void forget_forces() { forces_known_ = false; }
 

@@ -78,7 +78,8 @@ bool StepContacts::any_rigid_lasts() const {
 }
 
 Eigen::Vector3d StepContacts::rates(std::size_t i, const double* v) const {
-  return contact_rates(m_, v, i);
+  const Pair w = eq::relative(m_, *contacts_[i].bearing, v);
+  return {w.x, w.y, eq::contact_spin(m_, *contacts_[i].bearing, v)};
 }
 
 // ------------------------------------------------------------------ response to a load

@@ -144,9 +144,8 @@ class StepContacts {
   }
   // Writes the results of the step (contact_results.cc).
   void write_results(FixedStep& out) const;
-  // J, work of lasting contact on the coordinates, from the velocities v_start to the end without
-  // impacts.
-  double lasting_work(const StepState& state) const;
+  // J, work of lasting contact on the coordinates at the mean velocities of the step.
+  double lasting_work(const double* mean) const;
 
  private:
   using Pair = equations::Pair;

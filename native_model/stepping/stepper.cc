@@ -30,7 +30,7 @@ FixedStep VerletStepper::step(std::int64_t k, std::span<const Eigen::Vector2d> u
   out.impact_force = step_->impact_force(k);
   if (works && out.status == Status::kOk) {
     out.impact_work = impact_work(step_->state.model, out.impacts);
-    out.contact_work = out.impact_work + step_->contacts.lasting_work(step_->state);
+    out.contact_work = out.impact_work + step_->lasting_work();
     out.external_work = step_->external_work();
   }
   return out;
@@ -39,7 +39,7 @@ FixedStep VerletStepper::step(std::int64_t k, std::span<const Eigen::Vector2d> u
 const double* VerletStepper::q() const { return step_->state.q.data(); }
 const double* VerletStepper::v() const { return step_->state.v.data(); }
 const double* VerletStepper::last_q() const { return step_->state.q_k.data(); }
-void VerletStepper::last_velocity(double* v) const { step_->last_velocity(v); }
+const double* VerletStepper::last_velocity() const { return step_->last_velocity(); }
 double VerletStepper::last_kick() const { return step_->was_first() ? 0.5 : 1.0; }
 
 void VerletStepper::announce_command_jump(std::size_t contact, const CommandJump& command) {

@@ -35,9 +35,10 @@ class FixedStepper {
   // Call it before step k: the velocities at t_k under the held commands and the contact forces of
   // the step before.
   virtual void velocity_now(std::int64_t, std::span<const Eigen::Vector2d>, double*) {}
-  // Call it after step k: the state at t_k; the velocities do not contain impacts of the step.
+  // Call it after step k: the state at t_k, valid until the next step; the velocities do not
+  // contain impacts of the step.
   virtual const double* last_q() const { return q(); }
-  virtual void last_velocity(double*) const {}
+  virtual const double* last_velocity() const { return v(); }
 };
 
 // Starts at the model's initial state. step: s, > 0. The model must outlive the stepper.
@@ -65,7 +66,7 @@ class VerletStepper final : public FixedStepper {
   void announce_command_jump(std::size_t contact, const CommandJump& command) override;
   void velocity_now(std::int64_t k, std::span<const Eigen::Vector2d> held, double* v) override;
   const double* last_q() const override;
-  void last_velocity(double* v) const override;
+  const double* last_velocity() const override;
   // The duration in steps for which the last step's lasting forces act: 1/2 in the first step.
   double last_kick() const;
 

@@ -28,6 +28,8 @@ VerletStep::VerletStep(const Model& model, double h)
       loads(model, h),
       contacts(state, loads),
       deferred_(state.q),
+      mean_v_(state.q),
+      last_v_(state.q),
       switches_(std::isfinite(next_switch(model, 0.0, std::numeric_limits<double>::infinity()))),
       mean_v_end_(state.q),
       part_sum_(state.q) {
@@ -44,6 +46,7 @@ std::size_t VerletStep::count_kept(const Model& model) {
 // ------------------------------------------------------------------ the step
 void VerletStep::step(std::int64_t k) {
   work_correction_ = impact_time_ = 0.0;
+  has_mean_ = false;
   contacts.clear_results();
   const bool defer_iteration = iterates_with_contact();
   state.begin(deferred_or_null());
@@ -121,17 +124,35 @@ void VerletStep::restart() {
   contacts.restart(state);
 }
 
-void VerletStep::last_velocity(double* v) const {
+const double* VerletStep::mean_velocity() {
+  if (has_mean_) return mean_v_.data();
+  has_mean_ = true;
   const double *start = state.v_start.data(), *end = contacts.end_without_impacts(state);
-  for (int i = 0; i < state.nq(); ++i) v[i] = was_first_ ? start[i] : 0.5 * (start[i] + end[i]);
-  for (int i = state.model.sampled_states(); i < state.model.layout.coil(); ++i) v[i] = start[i];
-  if (in_finite_impact_) finite_impact_->velocities(state.origin + finite_impact_step_, v);
+  double* mean = mean_v_.data();
+  const int nq = state.nq();
+  ROTORUB_APART for (int i = 0; i < nq; ++i) mean[i] = 0.5 * (start[i] + end[i]);
+  return mean;
+}
+
+const double* VerletStep::last_velocity() {
+  const int sampled = state.model.sampled_states(), after_sampled = state.model.layout.coil();
+  const bool is_mean = !was_first_ && !in_finite_impact_ && sampled == after_sampled;
+  if (is_mean) return mean_velocity();
+  last_v_ = state.v_start;
+  if (!was_first_) {
+    const double* mean = mean_velocity();
+    std::copy(mean, mean + sampled, last_v_.begin());
+    std::copy(mean + after_sampled, mean + state.nq(), last_v_.begin() + after_sampled);
+  }
+  if (in_finite_impact_)
+    finite_impact_->velocities(state.origin + finite_impact_step_, last_v_.data());
+  return last_v_.data();
 }
 
 double VerletStep::external_work() {
   if (in_finite_impact_) return work_correction_;  // begin_finite_impact() has counted the work
   const double kick = was_first_ ? 0.5 : 1.0;
-  return kick * loads.external_work(state, contacts.end_without_impacts(state)) + work_correction_;
+  return kick * loads.external_work(state, mean_velocity()) + work_correction_;
 }
 
 // ------------------------------------------------------------------ jumps of loads and commands

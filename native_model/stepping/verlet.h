@@ -67,12 +67,16 @@ class VerletStep {
   Eigen::Vector2d impact_force(std::int64_t k) const {
     return finite_impact_ ? finite_impact_->force(state.time_of(k)) : Eigen::Vector2d(0.0, 0.0);
   }
-  // After step k: the velocities at t_k, the mean of the two half-step velocities, before an impact
-  // of the step. States of sampled controllers keep their values from before a sample at t_k.
-  // v: output, nq values.
-  void last_velocity(double* v) const;
-  // J, work of the step's loads on the coordinates.
+  // After step k: the mean of the velocities at the two ends of its kick, before an impact of the
+  // step; nq values. Computed once per step.
+  const double* mean_velocity();
+  // After step k: the velocities at t_k, before an impact of the step. They are mean_velocity(),
+  // except in a first step and in an impact that takes time. States of sampled controllers keep
+  // their values from before a sample at t_k. nq values, valid until the next step.
+  const double* last_velocity();
+  // J, works of the step's loads and of its lasting contacts on the coordinates.
   double external_work();
+  double lasting_work() { return contacts.lasting_work(mean_velocity()); }
 
   // Calls action for the numbers of a saved step that are neither in the state nor visited by
   // for_each_kept() of the loads and the contacts.
@@ -110,6 +114,8 @@ class VerletStep {
   void follow_finite_impact(std::int64_t k);
 
   Coordinates deferred_;                      // m/s, rad/s: deferred by the last step
+  Coordinates mean_v_, last_v_;               // see mean_velocity() and last_velocity()
+  bool has_mean_ = false;                     // mean_v_ belongs to the last step
   bool first_ = true, has_deferred_ = false;  // the next step is half a kick; deferred_ is in use
   bool was_first_ = true;
   // J, the work of the loads that the mean of the step's velocities misses because of impacts.

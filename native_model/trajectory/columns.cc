@@ -106,11 +106,18 @@ bool is_numbered(std::string_view name, std::string_view pattern) {
   return name.find_first_not_of("0123456789", stem.size()) == std::string_view::npos;
 }
 
+// The place of one contact at an instant.
+struct Place {
+  Eigen::Vector2d rotor, rotor_rate, ring, ring_rate;  // m, m/s, of the centres
+  double gap, gap_rate, slip;                          // m, m/s
+};
+
 // An instant, and the time for which it was requested.
 struct Row {
   const Model& m;
   double time;
   const Snapshot& now;
+  const Place* places;  // one for each contact
 };
 
 struct Title {
@@ -145,18 +152,17 @@ void for_each_column_of(const Model& m, std::size_t k, const Visit& visit) {
     visit(k, Title{x}, [&](const Row& r) { return value(r).x(); });
     visit(k, Title{y}, [&](const Row& r) { return value(r).y(); });
   };
-  both("rotor_x", "rotor_y", [k](const Row& r) { return rotor_point(r.m, r.now.q, k); });
-  both("rotor_vx", "rotor_vy", [k](const Row& r) { return rotor_point(r.m, r.now.v, k); });
-  both("stator_x", "stator_y", [k](const Row& r) { return ring_centre(r.m, r.now.q, k); });
-  both("stator_vx", "stator_vy", [k](const Row& r) { return stator_point(r.m, r.now.v, k); });
+  both("rotor_x", "rotor_y", [k](const Row& r) { return r.places[k].rotor; });
+  both("rotor_vx", "rotor_vy", [k](const Row& r) { return r.places[k].rotor_rate; });
+  both("stator_x", "stator_y", [k](const Row& r) { return r.places[k].ring; });
+  both("stator_vx", "stator_vy", [k](const Row& r) { return r.places[k].ring_rate; });
   if (k == 0) {
     visit(k, Title{"spin_angle"}, [](const Row& r) { return spin_angle(r.m, r.now.t, r.now.q); });
     visit(k, Title{"spin_speed"}, [](const Row& r) { return spin_speed(r.m, r.now.v); });
   }
-  const auto point = [k](const Row& r) { return contact_point(r.m, r.now.q, r.now.v, k); };
-  visit(k, Title{"gap"}, [&](const Row& r) { return point(r).gap; });
-  visit(k, Title{"gap_rate"}, [&](const Row& r) { return point(r).gap_rate; });
-  visit(k, Title{"slip"}, [&](const Row& r) { return point(r).slip; });
+  visit(k, Title{"gap"}, [k](const Row& r) { return r.places[k].gap; });
+  visit(k, Title{"gap_rate"}, [k](const Row& r) { return r.places[k].gap_rate; });
+  visit(k, Title{"slip"}, [k](const Row& r) { return r.places[k].slip; });
   visit(k, Title{"normal_force"}, [k](const Row& r) { return r.now.at(k).normal_force; });
   visit(k, Title{"friction_force"}, [k](const Row& r) { return r.now.at(k).friction_force; });
   visit(k, Title{"mode"}, [k](const Row& r) { return static_cast<double>(r.now.at(k).mode); });
@@ -277,7 +283,18 @@ std::vector<Column> series_of(const Model& model) {
 }
 
 void put_row(const Model& m, double time, const Snapshot& now, std::vector<Column>& columns) {
-  const Row row{m, time, now};
+  std::array<Place, kMaxContacts> places;
+  for (std::size_t k = 0; k < m.auxiliary.size(); ++k) {
+    const ContactPoint p = contact_point(m, now.q, now.v, k);
+    places[k] = {rotor_point(m, now.q, k),
+                 rotor_point(m, now.v, k),
+                 ring_centre(m, now.q, k),
+                 stator_point(m, now.v, k),
+                 p.gap,
+                 p.gap_rate,
+                 p.slip};
+  }
+  const Row row{m, time, now, places.data()};
   auto column = columns.begin();
   for_each_column(m, [&](std::size_t, const Title&, const auto& value) {
     (column++)->values.push_back(value(row));

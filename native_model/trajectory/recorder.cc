@@ -56,6 +56,9 @@ Recorder::Recorder(const Model& model, std::vector<double> times, double window)
     : model_(&model),
       times_(std::move(times)),
       columns_(series_of(model)),
+      switches_unbalance_(
+          model.coupled_mass() &&
+          std::ranges::any_of(model.unbalances, [](const DiscUnbalance& u) { return u.on > 0.0; })),
       least_gaps_(model.auxiliary.size(), std::numeric_limits<double>::infinity()),
       window_(window) {
   assert(std::is_sorted(times_.begin(), times_.end()));
@@ -177,7 +180,8 @@ void Recorder::move_to(const Snapshot& now, const ContactPoint& point, bool impa
   last_step_ = now.t - last_t_;
   rows_until(now, impact);
   passes_until(now, impact);
-  statistics_.external_work += switching_work(*model_, last_t_, now.t, now.q, now.v);
+  if (switches_unbalance_)
+    statistics_.external_work += switching_work(*model_, last_t_, now.t, now.q, now.v);
   if (model_->first().contact) {
     penetration_ = std::max(0.0, -point.gap);
     count_gap(point);

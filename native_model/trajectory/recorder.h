@@ -8,10 +8,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 #include "native_model/contact/kinematics.h"
+#include "native_model/numerics/loops.h"
 #include "native_model/scene/run.h"
 #include "native_model/trajectory/columns.h"
 #include "native_model/trajectory/keyphasor.h"
@@ -59,7 +59,8 @@ class ImpulseWindow {
       newest_ = newest_ == kParts ? 0 : newest_ + 1;
       bins_[newest_] = 0.0;
     }
-    sum_ = std::accumulate(bins_.begin(), bins_.end(), 0.0);
+    sum_ = rotorub::sum(static_cast<int>(bins_.size()),
+                        [this](int k) { return bins_[static_cast<std::size_t>(k)]; });
   }
 
   double bin_, now_ = 0.0, sum_ = 0.0, largest_ = 0.0;
@@ -172,9 +173,10 @@ class Recorder {
   double lasted_ = 0.0;     // s of lasting contact counted since the last snapshot
   double last_slip_ = 0.0;  // m/s
   std::vector<Column> columns_;
-  std::vector<double> least_gaps_;  // m, at the start and at the rows, of each contact
-  bool soft_ = false;               // whether several soft contacts exist and have touched
-  std::vector<Span> lasting_;       // episodes of soft contacts that count as lasting contact
+  bool switches_unbalance_ = false;  // an unbalance appears during the run, see switching_work()
+  std::vector<double> least_gaps_;   // m, at the start and at the rows, of each contact
+  bool soft_ = false;                // whether several soft contacts exist and have touched
+  std::vector<Span> lasting_;        // episodes of soft contacts that count as lasting contact
   std::vector<Impact> impacts_;
   std::vector<Event> events_;
   Statistics statistics_;

@@ -176,7 +176,7 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   const double kick = worker.stepper.last_kick() * h;
   for (const ContactPair& pair : config.pairs) note(pair, d, r, kick);
   if (r.status != Status::kOk) return;  // this step has neither native loads nor contact
-  worker.stepper.last_velocity(behind(entry));
+  std::copy_n(worker.stepper.last_velocity(), n, behind(entry));
   for (const ContactPair& pair : config.pairs) {
     if (!(contact_entries(pair, d).normal_force > 0.0)) continue;
     note_place(config, pair, d, state, behind(entry));
