@@ -208,7 +208,8 @@ int map_memory(const mjModel* m, const scene::Scene& scene, Config& config) {
   needed += kEntries<ContactEntries> * static_cast<int>(scene.auxiliary.size() - 1);
   if (m->nuserdata < needed) {
     refuse("<size nuserdata>",
-           message("at least {} needed; write the model again with `rotorub mjcf`", needed));
+           message("set nuserdata=\"{}\" or more, or write the model again with `rotorub mjcf`",
+                   needed));
   }
   return further;
 }

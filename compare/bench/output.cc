@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <ranges>
 #include <utility>
@@ -191,6 +192,28 @@ Table series_table(const SceneBench& bench) {
   return table;
 }
 
+// Explains what the table of series leaves open.
+std::vector<result::Part> series_notes(const SceneBench& bench) {
+  const std::vector<Series> all = series_of(bench.points, bench.telling_errors());
+  const bool unfitted = std::ranges::any_of(all, [&](const Series& s) {
+    return !s.order && !s.points.empty() && bench.points[s.points.front()].setting.step;
+  });
+  const bool stiff = std::ranges::any_of(
+      all, [](const Series& s) { return s.setting.find("K ") != std::string::npos; });
+  std::vector<result::Part> notes;
+  if (unfitted) {
+    notes.emplace_back(Sentence{
+        .text = "An order needs at least three steps whose errors are well above the reference's "
+                "own and below the clearance.",
+        .lead = "  order –: "});
+  }
+  if (stiff) {
+    notes.emplace_back(Sentence{
+        .text = "Stiffness of MuJoCo's soft contact in 1/s² (solref=\"-K -B\").", .lead = "  K: "});
+  }
+  return notes;
+}
+
 // ---------------------------------------------------------------- on the page alone
 Sentence page_heading(const char* text) {
   return {.text = text, .seen = result::kPage, .role = result::Role::kHeading};
@@ -305,10 +328,15 @@ Section scene_section(const SceneBench& bench) {
        page_text(std::string("The reference settles to: ") +
                  rotorub::to_string(settled(bench.reference.trajectory).attractor)),
        page_heading("Fastest at each level of error"), Sentence{}, levels_table(bench), Sentence{},
-       Sentence{.text = verdict_text(bench.levels), .lead = "  ", .place = "verdict"},
+       // The page has this sentence at its top.
+       Sentence{.text = verdict_text(bench.levels),
+                .lead = "  ",
+                .place = "verdict",
+                .seen = result::kNotPage},
        page_heading("Engines and settings"), Sentence{}, series_table(bench)},
       result::kAll,
       bench.scene.name};
+  section.add(series_notes(bench));
   if (bench.stability) {
     section.add({Data{"stability", stability_json(*bench.stability)}});
     section.add(stability_parts(*bench.stability));

@@ -1,4 +1,5 @@
 #include "compare/bench/point.h"
+#include "compare/base/units.h"
 
 #include <fmt/format.h>
 
@@ -63,16 +64,16 @@ Judgement judge(const Trajectory& trajectory, const Settled& settled, const Sett
   }
   const auto said = [&](const char* what) {
     return fmt::format(
-        "{}: {} (in contact {:.3g} % of the last fifth, whirl {:.5g} rad/s) where the "
-        "reference has {} ({:.3g} %, {:.5g} rad/s)",
+        "{}{} (in contact {:.3g} % of the last fifth, whirl {:.5g} Hz) where the reference has {} "
+        "({:.3g} %, {:.5g} Hz)",
         what, rotorub::to_string(settled.attractor), 100.0 * settled.contact_share,
-        settled.whirl_frequency, rotorub::to_string(reference.attractor),
-        100.0 * reference.contact_share, reference.whirl_frequency);
+        kHz * settled.whirl_frequency, rotorub::to_string(reference.attractor),
+        100.0 * reference.contact_share, kHz * reference.whirl_frequency);
   };
   if (settled.attractor != reference.attractor) {
     const bool bounces = settled.attractor == Attractor::kBouncing;
-    return bounces ? Judgement{Outcome::kChatter, said("it bounces")}
-                   : Judgement{Outcome::kWrongAttractor, said("another attractor")};
+    return bounces ? Judgement{Outcome::kChatter, said("")}
+                   : Judgement{Outcome::kWrongAttractor, said("another attractor: ")};
   }
   // The same kind of motion at another frequency is another attractor too, such as a second whip.
   const bool whirls = reference.attractor == Attractor::kBackwardWhip ||
@@ -80,7 +81,7 @@ Judgement judge(const Trajectory& trajectory, const Settled& settled, const Sett
                       reference.attractor == Attractor::kRolling;
   const double apart = std::abs(settled.whirl_frequency - reference.whirl_frequency);
   if (whirls && apart > kWhirlTolerance * std::abs(reference.whirl_frequency)) {
-    return {Outcome::kWrongAttractor, said("another whirl")};
+    return {Outcome::kWrongAttractor, said("another whirl: ")};
   }
   return {};
 }

@@ -149,13 +149,17 @@ std::string verdict_text(const std::vector<Level>& levels) {
     note(native_is_fastest(level), reached, native);
     note(rigid_is_fastest_mujoco(level), by_mujoco, rigid);
   }
-  if (!reached) return "no engine reaches any of these levels: there is no fastest";
-  const std::string of_mujoco =
-      rigid.empty() ? "at every level that MuJoCo reaches" : "but not at" + rigid;
-  return fmt::format(
-      "a native integrator is the fastest {}; {}",
-      native.empty() ? "at every level reached" : "but not at" + native,
-      by_mujoco ? "rigid of MuJoCo's settings " + of_mujoco : "no setting of MuJoCo's reaches one");
+  if (!reached) return "No engine reaches any of these levels.";
+  const std::string overall =
+      native.empty() ? "A native integrator is the fastest at every level that any engine reaches."
+                     : fmt::format("A native integrator is the fastest, except at{}.", native);
+  if (!by_mujoco) return overall + " No setting of MuJoCo reaches any of these levels.";
+  return overall +
+         (rigid.empty()
+              ? " Among MuJoCo's settings, `rigid` is the fastest at every level that any "
+                "of them reaches."
+              : fmt::format(" Among MuJoCo's settings, `rigid` is the fastest, except at{}.",
+                            rigid));
 }
 
 }  // namespace rotorub::bench

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <sstream>
 
 #include "compare/commands/command.h"
 #include "compare/commands/compare_output.h"
@@ -48,6 +49,17 @@ struct Subject {
   std::shared_ptr<const OwnMachine> own;
 };
 
+// The message with the file in the place of the plugin's prefix, in every line.
+std::string with_file(const std::string& file, const std::string& reason) {
+  std::istringstream lines(reason);
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(kPluginLead)) line.erase(0, kPluginLead.size());
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "\n", file, line);
+  }
+  return text;
+}
+
 Subject read_subject(const std::string& file, const CompareArguments& options) {
   if (std::filesystem::path(file).extension() != ".xml")
     return {read_scene(file, options), nullptr};
@@ -61,12 +73,11 @@ Subject read_subject(const std::string& file, const CompareArguments& options) {
     for (scene::Diagnostic& d : wrong) {
       const bool law = d.key.starts_with("controller");
       d.file = !law ? file : options.controller.empty() ? scene::kOverrideFile : "--controller";
+      if (!law) d.key.clear();  // the file has no keys of a scene
     }
     throw scene::SceneError(wrong);
   } catch (const std::runtime_error& error) {
-    std::string reason = error.what();
-    if (reason.starts_with(kPluginLead)) reason.erase(0, kPluginLead.size());
-    throw UsageError("{}: {}", file, reason);
+    throw UsageError("{}", with_file(file, error.what()));
   }
 }
 
@@ -85,6 +96,22 @@ std::vector<Subject> read_subjects(const CompareArguments& options) {
     }
   }
   return subjects;
+}
+
+// Refuses --tune where it would have no effect.
+void check_tune(const CompareArguments& options, const std::vector<Subject>& subjects) {
+  if (!options.tune) return;
+  for (std::size_t k = 0; k < subjects.size(); ++k) {
+    if (subjects[k].own) {
+      throw UsageError(
+          "{}: --tune works on scenes (.toml) only. For a machine of your own, compare several "
+          "steps: --step 5us, --step 2us",
+          options.scenes[k]);
+    }
+    if (!subjects[k].scene.first().contact) {
+      throw UsageError("{}: --tune needs a [contact], but this scene has none", options.scenes[k]);
+    }
+  }
 }
 
 MeasuredInput one_measured(const CompareArguments& options) {
@@ -203,6 +230,7 @@ int compare(const CompareArguments& options) {
   const double tolerance = tolerance_of(options.tolerance);
   const hdf5::ImageOf hdf5 = hdf5_of(options.format);
   const auto subjects = read_subjects(options);
+  check_tune(options, subjects);
   const MeasuredInput measured = one_measured(options);
   const Beside beside = beside_of(options);
   for (const Subject& subject : subjects)

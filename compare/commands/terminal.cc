@@ -61,9 +61,7 @@ std::string printable_path(const std::filesystem::path& path) {
 
 void set_command_name(const std::string& command) { lead = fmt::format("rotorub {}: ", command); }
 
-void print_message(const std::string& message) {
-  fmt::print(stderr, "{}{}\n", lead, printable_lines(message));
-}
+void print_message(const std::string& message) { print_diagnostics(printable_lines(message)); }
 
 void print_diagnostics(const std::string& message) {
   std::istringstream lines(message);

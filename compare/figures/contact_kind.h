@@ -20,9 +20,9 @@ struct ContactKind {
 // readers from taking the plugin's result for plain MuJoCo's.
 inline constexpr ContactKind kContactKinds[] = {
     {"cone", "cone", "MuJoCo alone"},
-    {kConeDefault, "", "MuJoCo alone, by its default solref", true},
+    {kConeDefault, "", "MuJoCo alone, default solref", true},
     {"cone-coulomb", "cone-c", "with the corrected cone"},
-    {"coulomb", "coulomb", "with Coulomb's friction beside it"},
+    {"coulomb", "coulomb", "MuJoCo's normal force, Coulomb friction"},
     {"rigid", "rigid", "with the rigid law"}};
 
 // The kind of a run's label; null for native runs.

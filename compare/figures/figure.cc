@@ -207,6 +207,12 @@ double share_of(const Figure& figure, double native, double size) {
   return size / std::max(std::abs(native), figure.resolution);
 }
 
+double difference_of(const Figure& figure, double native, double deviation) {
+  if (figure.scale == Scale::kPoints || deviation == 0.0) return deviation;
+  const double whole = std::max(std::abs(native), figure.resolution);
+  return native < 0.0 ? -deviation * whole : deviation * whole;
+}
+
 SplitShares split_shares(const Figure& figure, double native, const Split& split) {
   const auto share = [&](double part) {
     const double apart = deviation(figure, native, native + part);
@@ -230,8 +236,40 @@ std::string deviation_text(const Figure& figure, double deviation) {
 }
 
 std::string size_text(const Figure& figure, double size) {
+  if (figure.comparable && std::isfinite(size) && figure.scale != Scale::kPoints && size >= 10.0)
+    return short_number(std::round(100.0 * size)) + " %";
   const std::string text = deviation_text(figure, size);
   return text.starts_with('+') ? text.substr(1) : text;
+}
+
+bool is_in_units(const Figure& figure, double native) {
+  constexpr double kSmallCount = 100.0;
+  switch (figure.scale) {
+    case Scale::kCount:
+      return std::abs(native) < kSmallCount;
+    case Scale::kRelative:
+      return std::abs(native) < figure.resolution;
+    case Scale::kPoints:
+      break;
+  }
+  return false;
+}
+
+std::string change_text(const Figure& figure, double change) {
+  const std::string number = change == 0.0 ? "0" : fmt::format("{:+.3g}", change * figure.per_unit);
+  return *figure.unit ? number + " " + figure.unit : number;
+}
+
+std::string deviation_text(const Figure& figure, double native, double deviation) {
+  if (!is_in_units(figure, native) || !figure.comparable) return deviation_text(figure, deviation);
+  return change_text(figure, difference_of(figure, native, deviation));
+}
+
+std::string size_text(const Figure& figure, double native, double size) {
+  if (!is_in_units(figure, native) || !figure.comparable) return size_text(figure, size);
+  const double change = std::abs(difference_of(figure, native, size));
+  const std::string number = fmt::format("{:.2g}", change * figure.per_unit);
+  return *figure.unit ? number + " " + figure.unit : number;
 }
 
 std::span<const ResidualFigure> residual_figures() { return kResiduals; }

@@ -74,6 +74,8 @@ const Figure& figure(const std::string& key);
 double deviation(const Figure& figure, double native, double other);
 // A size or a change in SI on the same scale, relative to a native value; keeps the sign of `size`.
 double share_of(const Figure& figure, double native, double size);
+// The SI difference that is `deviation` on the scale of a figure: the inverse of deviation().
+double difference_of(const Figure& figure, double native, double deviation);
 
 // The errors of a figure from the contact model and from the step, on its scale; empty if they
 // cannot be determined.
@@ -86,8 +88,17 @@ SplitShares split_shares(const Figure& figure, double native, const Split& split
 // "+0.52 %", "-77 points", "×188" on the figure's scale; "∞" if the native value is 0; "–" for
 // a figure that is not comparable.
 std::string deviation_text(const Figure& figure, double deviation);
-// The same for a size, without a plus sign.
+// The same for a size, without a sign, and never as a factor.
 std::string size_text(const Figure& figure, double size);
+
+// Whether differences from this native value are written in the figure's unit: a value below the
+// resolution, of which a share is not the share that is judged, or a count below 100.
+bool is_in_units(const Figure& figure, double native);
+// The same texts, but in the figure's unit where is_in_units() says so: "+0.0387 mm/s", "+12".
+std::string deviation_text(const Figure& figure, double native, double deviation);
+std::string size_text(const Figure& figure, double native, double size);
+// A difference in SI in the figure's unit: "+0.0387 mm/s", "+12".
+std::string change_text(const Figure& figure, double change);
 
 // The residuals of the laws of contact over the rows of a run.
 struct ResidualFigure {

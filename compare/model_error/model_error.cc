@@ -69,15 +69,18 @@ FigureLimit figure_limit(const Figure& figure, const std::vector<int>& modes,
   assert(values.size() >= kFewestRungs && values.size() == modes.size());
   FigureLimit result{&figure, values, Convergence::kNoLimit, 0.0, {}, {}};
   const std::size_t k = values.size() - 1;
+  // Of a change in SI; positive if the magnitude grows, as for deviation().
+  const double sense = values[0] < 0.0 ? -1.0 : 1.0;
+  const auto share = [&](double change) { return sense * share_of(figure, values[0], change); };
   std::vector<double> changes;
   for (std::size_t i = 1; i <= k; ++i) {
-    changes.push_back(share_of(figure, values[0], values[i] - values[i - 1]));
+    changes.push_back(share(values[i] - values[i - 1]));
   }
   result.last_change = changes.back();
   if (!std::isfinite(result.last_change)) return result;
 
   const double noise = std::max(tolerance, spread);
-  const double off = share_of(figure, values[0], values[0] - values[k]);
+  const double off = share(values[0] - values[k]);
   const double last_two = std::abs(changes[k - 1] + changes[k - 2]);
   if (std::max({std::abs(changes[k - 1]), std::abs(changes[k - 2]), last_two}) <= noise) {
     result.convergence = Convergence::kConverged;
@@ -104,13 +107,12 @@ std::vector<int> mode_ladder(int modes) {
 ModelError model_error(const scene::Scene& scene, const ModelErrorParameters& parameters) {
   ModelError error;
   if (!scene.rotor.geometry) {
-    error.reason = scene.rotor.assembled
-                       ? "a machine of your own: its joints are all that is known of it"
-                       : "modal form: the scene gives its modes, and no others are known";
+    error.reason = scene.rotor.assembled ? "a machine of your own has no further modes"
+                                         : "a scene in modal form has no further modes";
     return error;
   }
   if (!scene.first().contact) {
-    error.reason = "no contact: nothing is judged";
+    error.reason = "without a contact nothing is judged";
     return error;
   }
   error.modes = mode_ladder(prepare(scene).layout.modes);
@@ -127,10 +129,10 @@ ModelError model_error(const scene::Scene& scene, const ModelErrorParameters& pa
                   failures[rung] = failure.what();
                 }
               });
-  if (parameters.interrupt && parameters.interrupt->load()) error.reason = "interrupted";
+  if (parameters.interrupt && parameters.interrupt->load()) error.reason = "it was interrupted";
   for (std::size_t k = 0; k < rungs && error.reason.empty(); ++k) {
     if (failures[k].empty()) continue;
-    error.reason = fmt::format("no run with {} modes: {}", error.modes[k], failures[k]);
+    error.reason = fmt::format("the run with {} modes failed: {}", error.modes[k], failures[k]);
   }
   if (!error.reason.empty()) return error;
 
@@ -155,7 +157,7 @@ result::Section model_error_section(const ModelError& error) {
   section.id = "modes";
   if (!error.reason.empty()) {
     section.add({result::Data{"reason", error.reason},
-                 result::Sentence{"modes kept: not known: " + error.reason, "  "}});
+                 result::Sentence{"modes kept: not checked, because " + error.reason, "  "}});
     return section;
   }
   result::Table table{"figures/{row}/{column}",
@@ -179,12 +181,14 @@ result::Section model_error_section(const ModelError& error) {
     for (const double v : f.values) row.items.push_back({figure_value(*f.figure, v)});
     const std::string word = to_string(f.convergence);
     row.items.push_back(
-        {word, "  " + word + (f.error ? ", " + deviation_text(*f.figure, *f.error) : "")});
-    row.items.push_back({.text = f.left ? size_text(*f.figure, std::abs(*f.left)) : "–"});
+        {word,
+         "  " + word + (f.error ? ", " + deviation_text(*f.figure, f.values[0], *f.error) : "")});
+    row.items.push_back(
+        {.text = f.left ? size_text(*f.figure, f.values[0], std::abs(*f.left)) : "–"});
     table.rows.push_back(std::move(row));
     if (f.convergence == Convergence::kTrend) {
       left += fmt::format("{}{} {}", left.empty() ? "" : ", ", f.figure->label,
-                          deviation_text(*f.figure, *f.left));
+                          deviation_text(*f.figure, f.values[0], *f.left));
     }
   }
   section.add({std::move(table)});

@@ -124,17 +124,20 @@ class OmissionMeter {
     std::vector<Omission> all;
     for (const auto& [source, force] : constraints_) {
       all.push_back(
-          {fmt::format("the twin leaves out {}, whose force reaches", name_of(m_, source)), force});
+          {fmt::format("the native model leaves out {}, whose force reaches", name_of(m_, source)),
+           force});
     }
-    all.push_back({fmt::format("the forces on {}{} differ from the twin's, which are linear about "
-                               "qpos0, by up to",
-                               smooth_.part, cause_of_peak()),
-                   smooth_.force});
-    all.push_back({"the rotor's place in its ring differs from the twin's by up to", place_,
-                   " of the clearance"});
-    all.push_back({"the mass that the contact moves differs from the twin's by up to", mass_, ""});
     all.push_back(
-        {"the twin leaves out the friction along the ring's axis, which takes from the "
+        {fmt::format("the forces on {}{} differ from the native model's, which are linear about "
+                     "qpos0, by up to",
+                     smooth_.part, cause_of_peak()),
+         smooth_.force});
+    all.push_back({"the rotor's place in its ring differs from the native model's by up to", place_,
+                   " of the clearance"});
+    all.push_back(
+        {"the mass that the contact moves differs from the native model's by up to", mass_, ""});
+    all.push_back(
+        {"the native model leaves out the friction along the ring's axis, which takes from the "
          "friction round it up to",
          axial_, " of the normal force"});
     std::erase_if(all, [](const Omission& o) { return o.peak == 0.0; });

@@ -173,6 +173,33 @@ void check_contact_texts(const mjModel* m) {
   }
 }
 
+// The native model cannot start with a rotor outside of its ring.
+void check_starts(const mjModel* m, const plugin::Config& config) {
+  constexpr double kRounding = 1e-9;  // share of the clearance
+  const MujocoData start = make_start(m);
+  mj_kinematics(m, start.get());
+  for (const plugin::ContactPair& pair : config.pairs) {
+    const mjtNum* axes = start->geom_xmat + 9 * pair.ring_geom;
+    double in_plane[2] = {};
+    for (int i = 0; i < 3; ++i) {
+      const mjtNum apart =
+          start->geom_xpos[3 * pair.rotor_geom + i] - start->geom_xpos[3 * pair.ring_geom + i];
+      for (int k = 0; k < 2; ++k) in_plane[k] += axes[3 * i + k] * apart;
+    }
+    const double distance = std::hypot(in_plane[0], in_plane[1]);
+    if (distance <= pair.contact.clearance * (1.0 + kRounding)) continue;
+    const int key = start_keyframe(m);
+    const char* name = key >= 0 ? mj_id2name(m, mjOBJ_KEY, key) : nullptr;
+    plugin::refuse(
+        fmt::format("<geom name=\"{}\">", m->names + m->name_geomadr[pair.rotor_geom]),
+        fmt::format("in {} the rotor is {:.6g} m from the centre of its ring, geom \"{}\", but the "
+                    "clearance is {:.6g} m; move the body or {}",
+                    name ? fmt::format("the keyframe \"{}\"", name) : std::string("qpos0"),
+                    distance, m->names + m->name_geomadr[pair.ring_geom], pair.contact.clearance,
+                    name ? "change the keyframe" : "add a keyframe \"start\""));
+  }
+}
+
 // The degrees of freedom that move a geom.
 std::vector<int> dofs_of(const mjModel* m, int geom) {
   std::vector<int> dofs;
@@ -203,7 +230,7 @@ void check_equalities(const mjModel* m, const plugin::Config& config) {
           plugin::refuse(
               fmt::format("<equality> \"{}\"", name ? name : ""),
               fmt::format(
-                  "acts on {}, which moves geom \"{}\": the native twin has no constraints, so it "
+                  "acts on {}, which moves geom \"{}\": the native model has no constraints, so it "
                   "would be a different machine; replace the equality by a motor or a stiffness on "
                   "the joint itself, or replace a weld by removing that joint",
                   plugin::joint_of_dof(m, dof), m->names + m->name_geomadr[geom]));
@@ -273,7 +300,7 @@ OwnMachine::OwnMachine(const std::filesystem::path& file, const OwnRun& run) : f
   }
   if (!plugin::is_ours(m.get())) {
     throw std::runtime_error(
-        "names no rub; name the geoms of rotor and ring in <custom>, as in "
+        "names no rotor in a ring; name the geoms of both in <custom>, as in "
         "mjcf/examples/own_model.xml (plugin/README.md)");
   }
   plugin::Refusals refusals;
@@ -281,7 +308,9 @@ OwnMachine::OwnMachine(const std::filesystem::path& file, const OwnRun& run) : f
   const bool read = refusals.attempt([&] { config = plugin::make_config(m.get()); });
   if (read && config.pairs.empty())
     throw std::runtime_error(
-        "names pairs to be corrected for sliding, but no rub, which has a twin");
+        "has no rotor in a ring, so there is nothing to compare: `compare` needs "
+        "rotorub_rotor_geom and rotorub_ring_geom. A corrected pair (rotorub_cone_coulomb_pair) "
+        "works in any MuJoCo program, but cannot be compared.");
   refusals.attempt([&] { check_keyframes(m.get()); });
   refusals.attempt([&] { check_contact_texts(m.get()); });
   if (read) {
@@ -292,6 +321,7 @@ OwnMachine::OwnMachine(const std::filesystem::path& file, const OwnRun& run) : f
       });
     }
     refusals.attempt([&] { check_equalities(m.get(), config); });
+    refusals.attempt([&] { check_starts(m.get(), config); });
   }
   refusals.raise();
   contact_ = config.contact;
@@ -306,7 +336,7 @@ OwnMachine::OwnMachine(const std::filesystem::path& file, const OwnRun& run) : f
   scene_.name = file.stem().string();
   scene_.text = text_of(file);
   scene_.run.end = run.end;
-  if (controller_) prepare(scene_);  // reports errors of its law here
+  prepare(scene_);  // reports errors of the native model, and of a controller's law, here
 }
 
 plugin::NativeTwin OwnMachine::twin(const mjModel* m, const plugin::Config& config) const {

@@ -80,9 +80,9 @@ std::string report_page(const std::vector<PageScene>& scenes, const Beside& besi
       {fmt::format("{}", fmt::join(names, ", ")), mode + " comparison",
        "Can MuJoCo's contact forces be trusted?"},
       found, data,
-      fmt::format("MuJoCo {}. Limits: one contact plane, no tilt in the contact, no wear "
-                  "and no heat, small deflections.",
-                  mujoco_version()));
+      fmt::format(
+          "MuJoCo {}. Assumptions: small deflections, no tilt, wear or heat in the contact.",
+          mujoco_version()));
 }
 
 std::string run_page(const StoredRun& run, const std::optional<StoredRun>& shadow) {

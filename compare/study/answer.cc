@@ -21,8 +21,7 @@ std::string reason(const SceneComparison& c, const ComparedModel& m) {
     return c.omission + ", so no difference can be attributed to the contact";
   if (m.resync) return why(*m.resync, c.tolerance);
   const bool untouched = !native.metrics.first_touch && !other.metrics.first_touch;
-  return (untouched ? "nothing touches, so there is no contact force to judge; " : "") +
-         why(m.judged(), c.tolerance);
+  return (untouched ? "nothing touches; " : "") + why(m.judged(), c.tolerance);
 }
 
 // The largest differences in plain words. If averages cannot be trusted, one of them comes first.
@@ -49,8 +48,8 @@ std::string plain_reason(const SceneComparison& c, const ComparedModel& m) {
 std::string evidence_of(const SceneComparison& c, const ComparedModel& m) {
   if (m.run.label != to_string(scene::ContactModel::kRigid)) return "";
   if (c.own || c.scene.mujoco.rotor == scene::MujocoRotor::kSegments) {
-    return "rigid has the contact law of native, but not its rotor: agreement is evidence for the "
-           "rotor.";
+    return "rigid uses the same contact law as native, so agreement checks the motion of rotor and "
+           "ring, not the law.";
   }
   return "rigid has the law and the step of native verlet: agreement shows only that they were put "
          "into MuJoCo correctly. Closed forms, Siconos, ODE and MuJoCo's own rotor show that they "
@@ -64,20 +63,23 @@ std::string what_it_did(const SceneComparison& c, Trust trust) {
   return "for which nothing can be decided at " + tolerance + "; this does not count as agreement";
 }
 
-void take(LargestError& largest, const Figure& figure, std::optional<double> share) {
+// share: of the error in the figure, empty if it is unknown.
+void take(LargestError& largest, const JudgedFigure& of, std::optional<double> share) {
   if (!share) {
-    ++largest.untold;
+    if (of.figure->split) ++largest.untold;
+    if (of.verdict == FigureVerdict::kOutside) largest.outside.push_back(of.figure);
   } else if (!largest.figure || std::abs(*share) > std::abs(largest.share)) {
-    largest.figure = &figure;
+    largest.figure = of.figure;
     largest.share = *share;
+    largest.native = of.native;
   }
 }
 
 }  // namespace
 
 const VerdictWords& verdict_words(const SceneComparison& c, const ComparedModel& m) {
-  static constexpr VerdictWords kNoContact{"no contact", Tone::kPart, "not judged"};
-  static constexpr VerdictWords kNotKnown{"not known", Tone::kPart, "not judged"};
+  static constexpr VerdictWords kNoContact{"no contact", Tone::kPart};
+  static constexpr VerdictWords kNotKnown{"not known", Tone::kPart};
   const Side &native = c.reference(m), &other = m.run;
   const Status status = other.trajectory.status;
   if (native.trajectory.status != Status::kOk || status == Status::kControllerFailed)
@@ -116,16 +118,31 @@ std::string whose_verdict(const SceneComparison& c) {
   if (c.status() != Status::kOk) return "The exit code is 3: a run did not come to its end.";
   if (c.models.empty()) return "";
   const ComparedModel& decider = c.models.front();
+  if (c.is_untouched() && !decider.resync) {
+    return fmt::format("The exit code refers to the motion of {} (--contact), {}.",
+                       decider.run.label, what_it_did(c, decider.trust));
+  }
   return fmt::format("The exit code refers to {} (--contact), {}.", decider.run.label,
                      what_it_did(c, decider.trust));
+}
+
+std::string no_contact_note(const SceneComparison& c) {
+  if (!c.is_untouched()) return "";
+  if (!c.scene.first().contact) return "The scene has no [contact], so no force was judged.";
+  const double gap = figure("near_miss").value(c.native.metrics);
+  return fmt::format("Nothing touches in {}{}, so no force was judged. Run longer (--end), or {}.",
+                     time_text(c.native.trajectory.end),
+                     std::isnan(gap) ? "" : fmt::format(" (least gap {:.3g} µm)", 1e6 * gap),
+                     c.own ? "start closer to the ring (keyframe `start`)"
+                           : "start closer to the ring ([initial])");
 }
 
 std::vector<std::string> own_notes(const SceneComparison& c) {
   if (!c.own) return {};
   std::vector<std::string> notes{
-      "Native is a twin made from the mjModel of this machine: linear, for small motions about "
+      "Native is a model made from the mjModel of this machine: linear, for small motions about "
       "qpos0. " +
-      std::string(c.twin_limits.empty() ? "It leaves nothing out that was found."
+      std::string(c.twin_limits.empty() ? "It represents every part of the model that was checked."
                                         : "It leaves out:")};
   for (const std::string& limit : c.twin_limits) notes.push_back(limit + ".");
   return notes;
@@ -163,18 +180,33 @@ std::string mode_note(const SceneComparison& c) {
       c.commands ? ", under MuJoCo's commands," : "");
 }
 
+std::string error_text(const LargestError& error) {
+  std::vector<std::string> failing;
+  for (const Figure* f : error.outside) failing.emplace_back(f->label);
+  const std::string untold =
+      failing.empty() ? "" : fmt::format("not known for {}", fmt::join(failing, ", "));
+  if (!error.figure) return untold.empty() ? "not known" : untold;
+  std::string text = fmt::format("{} {}", deviation_text(*error.figure, error.native, error.share),
+                                 error.figure->label);
+  if (!untold.empty()) return text + "; " + untold;
+  return error.untold == 0 ? text : text + fmt::format(" ({} more not known)", error.untold);
+}
+
 ThreeErrors three_errors(const SceneComparison& c, const ComparedModel& m) {
   ThreeErrors errors;
   for (const FigureDifference& d : m.figures) {
     const Figure& f = *d.figure;
-    if (!f.is_judged() || !f.split || is_absent(c, f)) continue;
-    const SplitShares shares = split_shares(f, f.value(c.reference(m).metrics), d.split);
-    take(errors.contact, f, shares.contact);
-    take(errors.step, f, shares.step);
+    if (!f.is_judged() || is_absent(c, f)) continue;
+    const SplitShares shares = f.split ? split_shares(f, d.native, d.split) : SplitShares{};
+    take(errors.contact, d, shares.contact);
+    take(errors.step, d, shares.step);
   }
   if (c.model_error && !c.model_error->figures.empty()) {
     errors.modes.emplace();
-    for (const FigureLimit& f : c.model_error->figures) take(*errors.modes, *f.figure, f.error);
+    for (const FigureLimit& f : c.model_error->figures) {
+      const double native = f.values.empty() ? 0.0 : f.values.front();
+      take(*errors.modes, JudgedFigure{.figure = f.figure, .native = native}, f.error);
+    }
   }
   return errors;
 }

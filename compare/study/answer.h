@@ -43,6 +43,9 @@ std::vector<AnswerRow> sentence_rows(const SceneComparison& comparison);
 // A sentence on which contact model determines the exit code, and its result.
 std::string whose_verdict(const SceneComparison& comparison);
 
+// What to do if nothing touches in any run, so that no force was judged; otherwise empty.
+std::string no_contact_note(const SceneComparison& comparison);
+
 // For a user's own machine, sentences on what the native side is and what it leaves out of the
 // machine; otherwise empty.
 std::vector<std::string> own_notes(const SceneComparison& comparison);
@@ -60,9 +63,14 @@ std::string mode_note(const SceneComparison& comparison);
 // The largest share of one source of error among the judged figures.
 struct LargestError {
   const Figure* figure = nullptr;  // null: unknown for every figure
-  double share = 0.0;  // relative to the native value, signed (points: the value itself)
-  int untold = 0;      // number of judged figures of the runs for which it is unknown
+  double share = 0.0;   // relative to the native value, signed (points: the value itself)
+  double native = 0.0;  // SI, that value
+  int untold = 0;       // number of judged figures of the runs for which it is unknown
+  // The figures outside the tolerance for which it is unknown, those without a split included.
+  std::vector<const Figure*> outside;
 };
+// "+0.52 % mean normal force; not known for hard impacts, which fails"
+std::string error_text(const LargestError& error);
 
 // The errors of a contact model's figures by source.
 struct ThreeErrors {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -74,8 +75,10 @@ Row& add_row(Table& table, const SceneComparison& c, const char* lead, const std
 
 const char* lead_of(const Figure& f) { return f.is_judged() ? "* " : "  "; }
 
-// The column omits the unit "points"; the line below the differences states it.
-std::string in_column(const std::string& text) { return text.substr(0, text.find(" points")); }
+// The column omits every unit except "%"; the line below the differences says so.
+std::string in_column(const std::string& text) {
+  return text.ends_with(" %") ? text : text.substr(0, text.find(' '));
+}
 std::string in_column(const JudgedFigure& f) {
   return f.is_absent() ? "–" : in_column(deviation_text(f));
 }
@@ -97,7 +100,7 @@ Table value_table(const SceneComparison& c) {
   table.columns.push_back({.heading = "what it means", .seen = result::kPage});
   for (std::size_t k = 0; k < figures().size(); ++k) {
     const Figure& f = figures()[k];
-    if (is_absent(c, f)) continue;
+    if (!is_shown(c, f)) continue;
     Item shadow;
     if (c.shadow.side) shadow = value_item(f, *c.shadow.side, c.shadow.figures[k], true);
     add_row(table, c, lead_of(f), figure_label(f), figure_value(f, f.value(c.native.metrics)),
@@ -164,7 +167,7 @@ Table difference_table(const SceneComparison& c) {
       return Item{difference_json(d), in_column(d)};
     });
     row.key = f.key;
-    row.seen = !f.comparable || is_absent(c, f) ? result::kJson : result::kNotPage;
+    row.seen = !f.comparable || !is_shown(c, f) ? result::kJson : result::kNotPage;
   }
   return table;
 }
@@ -240,14 +243,16 @@ std::string divergence_text(const SceneComparison& c) {
 // The causes of the difference of each figure. A terminal shows only the judged figures.
 std::vector<Part> split_parts(const SceneComparison& c) {
   constexpr auto kTerminal = result::kTerminal, kPage = result::kPage;
+  // An adaptive native step has no part in the differences, so it needs no column.
+  int native_steps = result::kJson;
   Table table{"",
-              {{"", "split of the difference, due to", -35, kTerminal},
+              {{"", "split of the difference", -30, kTerminal},
                {"", "figure", 0, kPage},
                {"", "MuJoCo", 0, kPage},
-               {"", "difference", 11},
-               {"", "contact", 10, result::kAll, "contact model"},
-               {"", "step", 10, result::kAll, "step, MuJoCo"},
-               {"", "native", 10, result::kAll, "step, native"},
+               {"", "difference", 10},
+               {"", "contact model", 14},
+               {"", "MuJoCo step", 12},
+               {"", "native step", 12},
                {"", "repeated runs differ by", 10, kPage},
                {"", "known to", 0, kPage}}};
   bool unsure = false;
@@ -255,7 +260,8 @@ std::vector<Part> split_parts(const SceneComparison& c) {
     const std::string name = m.kind().heading;
     for (const FigureDifference& d : m.figures) {
       const Figure& f = *d.figure;
-      if (!f.split || is_absent(c, f)) continue;
+      if (!f.split || std::isnan(d.split.difference)) continue;
+      if (!is_shown(c, f)) continue;
       const bool brief = f.is_judged() && !name.empty();
       unsure = unsure || (brief && !d.split.valid);
       Row row{.items = {{fmt::format("{:<9}{}", name, figure_label(f))},
@@ -266,12 +272,15 @@ std::vector<Part> split_parts(const SceneComparison& c) {
       for (const double part :
            {d.split.difference, d.split.model_gap, d.split.step_error, d.split.native_step_error})
         row.items.push_back({figure_value(f, part)});
+      if (figure_value(f, d.split.native_step_error) != "0") native_steps |= row.seen;
       row.items.push_back({size_text(d, d.interval)});
       row.items.push_back(
           {d.split.valid ? "± " + figure_value(f, d.split.uncertainty) : d.split.reason});
       table.rows.push_back(std::move(row));
     }
   }
+  std::ranges::find(table.columns, "native step", &result::Column::heading)->seen =
+      static_cast<result::Audience>(native_steps);
   std::vector<Part> parts{std::move(table)};
   if (unsure) {
     parts.emplace_back(
@@ -293,18 +302,19 @@ Section figure_section(const SceneComparison& c) {
       .seen = resync ? result::kNotTerminal : result::kAll};
   const bool replayed = c.models.back().native.has_value();
   if (replayed) told.add({reference_table(c), Sentence{}});
-  const std::string judged = fmt::format(
-      "judged at {}: decided where the difference with all of its ± lies within that, or beyond "
-      "it{}",
-      percent_text(c.tolerance),
-      replayed ? ", and is no less than the drift of the open loop" : "");
+  std::vector<Part> intervals = interval_parts(c);
+  const std::string tolerance = percent_text(c.tolerance);
+  std::string judged = "judged at " + tolerance;
+  if (!intervals.empty()) judged += "; undecided if the confidence interval contains " + tolerance;
+  if (replayed) judged += "; undecided if the drift of the open loop is larger than the difference";
   told.add({difference_table(c),
-            Sentence{.text = "Differences without a unit are percentage points of shares of time, "
-                             "and whole numbers of counts below 100.",
+            Sentence{.text = "Differences without % are in the unit of the figure: percentage "
+                             "points of shares of time, counts below 100, and values that are too "
+                             "small for a percentage.",
                      .lead = "    ",
                      .seen = result::kTerminal},
             Sentence{.text = judged, .lead = "  * ", .seen = result::kTerminal}});
-  told.add(interval_parts(c));
+  told.add(std::move(intervals));
   told.add({Sentence{shadow_note(c), "  "},
             Sentence{.text = settled_line(c), .lead = "  settles to: ", .seen = result::kTerminal},
             Sentence{}});

@@ -64,14 +64,6 @@ json shadow_json(const SceneComparison& c) {
           {"summary", summary_json(c.scene, c.shadow.side->trajectory)}};
 }
 
-// The largest figure that one source of error puts off; "–" if none is known.
-Item error_item(const LargestError& error) {
-  if (!error.figure) return {.text = "– not known"};
-  std::string text = deviation_text(*error.figure, error.share) + " " + error.figure->label;
-  if (error.untold > 0) text += fmt::format(" ({} more not known)", error.untold);
-  return {.text = std::move(text)};
-}
-
 // The answer to the user's question, one row per contact model. A page adds the errors by source.
 Table answer_table(const SceneComparison& c, const std::vector<const ComparedModel*>& models) {
   const bool modes = c.model_error && !c.model_error->figures.empty();
@@ -94,9 +86,9 @@ Table answer_table(const SceneComparison& c, const std::vector<const ComparedMod
         {.items = {{row.question, row.question + "? (" + row.contact + ")"},
                    {row.verdict.word, "", row.verdict.tone},
                    {.value = row.why, .beside = row.decides ? "decides the exit code" : ""},
-                   error_item(errors.contact),
-                   error_item(errors.step),
-                   error_item(errors.modes.value_or(LargestError())),
+                   {.text = error_text(errors.contact)},
+                   {.text = error_text(errors.step)},
+                   {.text = error_text(errors.modes.value_or(LargestError()))},
                    {timed ? json(row.us_per_step) : json(nullptr), timed ? "" : "-"}},
          .lead = row.decides ? "> " : "  ",
          .note = {.text = row.why, .lead = "      ", .seen = result::kTerminal},
@@ -158,10 +150,11 @@ std::vector<Part> verdict_parts(const SceneComparison& c, const ComparedModel& m
                          {"divergence", divergence_json(m.divergence)},
                          {"impacts", impacts}}},
                    Sentence{.text = headline(c, m),
-                            .lead = fmt::format("  {:<13}", words.lead),
+                            .lead = fmt::format("  {:<15}", words.word),
                             .tone = words.tone,
                             .place = "headline"}}};
-  for (const std::string& reason : m.reasons) verdict.add({Sentence{reason, "               - "}});
+  for (const std::string& reason : m.reasons)
+    verdict.add({Sentence{reason, "                 - "}});
   return {Sentence{}, std::move(verdict)};
 }
 
@@ -198,10 +191,12 @@ nlohmann::ordered_json compare_columns_json() {
 
 Section comparison_result(const SceneComparison& c) {
   Section told{.parts = {scene_data(c)}};
+  const std::string mode =
+      c.mode == CompareMode::kLockstep ? "" : fmt::format("{}, ", to_string(c.mode));
   told.add({Sentence{
-      .text = fmt::format("{}: {}, step {}, {} simulated, scene {}", scene::printable(c.scene.name),
-                          to_string(c.mode), time_text(c.scene.run.step),
-                          time_text(c.scene.run.end), scene::scene_hash(c.scene)),
+      .text = fmt::format("{}: {}step {}, {} simulated, scene {}", scene::printable(c.scene.name),
+                          mode, time_text(c.scene.run.step), time_text(c.scene.run.end),
+                          scene::scene_hash(c.scene)),
       .wraps = false,
       .seen = result::kTerminal}});
   told.add(answer_parts(c));
@@ -211,7 +206,19 @@ Section comparison_result(const SceneComparison& c) {
   told.add({figure_section(c)});
   if (c.measured) told.add({Sentence{}, measured_section(*c.measured)});
   Section verdicts{.title = "Verdicts", .id = "verdicts"};
-  for (const ComparedModel* m : reading_order(c)) verdicts.add(verdict_parts(c, *m));
+  // If nothing touches, one sentence for all contact models.
+  const bool untouched = c.is_untouched() && c.mode != CompareMode::kResync;
+  for (const ComparedModel* m : reading_order(c)) {
+    Section verdict{.parts = verdict_parts(c, *m)};
+    if (untouched) verdict.seen = result::kJson;
+    verdicts.add({std::move(verdict)});
+  }
+  if (untouched) {
+    const VerdictWords& words = verdict_words(c, c.models.front());
+    verdicts.add({Sentence{}, Sentence{.text = no_contact_note(c),
+                                       .lead = fmt::format("  {:<15}", words.word),
+                                       .tone = words.tone}});
+  }
   told.add({std::move(verdicts)});
   return told;
 }

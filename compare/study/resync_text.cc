@@ -88,12 +88,12 @@ std::string resync_headline(const std::string& contact, const Resync& r, double 
   switch (r.trust) {
     case Trust::kYes:
       return fmt::format(
-          "MuJoCo's {} contact: each of {} comes out as the native law predicts it from "
+          "MuJoCo's {} contact: each of {} comes out as the native model predicts it from "
           "MuJoCo's own state, within {}.",
           contact, onsets_text(r), within);
     case Trust::kAveragesOnly:
       return fmt::format(
-          "MuJoCo's {} contact: on the mean of {} as the native law predicts them, within {}; "
+          "MuJoCo's {} contact: on the mean of {} as the native model predicts them, within {}; "
           "single ones are not: {}.",
           contact, onsets_text(r), within, worst);
     case Trust::kNo:
@@ -101,7 +101,8 @@ std::string resync_headline(const std::string& contact, const Resync& r, double 
       break;
   }
   return fmt::format(
-      "MuJoCo's {} contact is outside {} of what the native law predicts from MuJoCo's own state, "
+      "MuJoCo's {} contact is outside {} of what the native model predicts from MuJoCo's own "
+      "state, "
       "onset by onset: {}.",
       contact, within, worst);
 }

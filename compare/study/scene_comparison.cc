@@ -392,9 +392,23 @@ SceneComparison compare_scene(const scene::Scene& scene, const CompareOptions& o
   return Comparison(scene, options).run();
 }
 
+bool SceneComparison::is_untouched() const {
+  return std::ranges::none_of(sides(), [](const Side* side) {
+    return side->trajectory.status != Status::kOk || side->metrics.first_touch;
+  });
+}
+
 bool is_absent(const SceneComparison& comparison, const Figure& figure) {
   return std::ranges::all_of(comparison.sides(), [&figure](const Side* side) {
     return std::isnan(figure.value(side->metrics));
+  });
+}
+
+bool is_shown(const SceneComparison& comparison, const Figure& figure) {
+  if (!comparison.is_untouched()) return !is_absent(comparison, figure);
+  return std::ranges::any_of(comparison.sides(), [&figure](const Side* side) {
+    const double value = figure.value(side->metrics);
+    return !std::isnan(value) && value != 0.0;
   });
 }
 

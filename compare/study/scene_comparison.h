@@ -153,10 +153,15 @@ struct SceneComparison {
   // The worst status of the runs that decide: native and the first model's.
   Status status() const;
   bool within() const { return !models.empty() && models.front().within(); }
+  // Whether all runs reached their end and none of them had a contact.
+  bool is_untouched() const;
 };
 
 // True if none of the runs has this figure.
 bool is_absent(const SceneComparison& comparison, const Figure& figure);
+// Whether tables for people have a row for this figure: some run has it, and if nothing touches, it
+// is not 0 in all runs.
+bool is_shown(const SceneComparison& comparison, const Figure& figure);
 
 // Throws what the engines throw, and MeasuredError if the record does not fit the runs. An
 // interrupt ends it early with the results so far.

@@ -36,10 +36,10 @@ constexpr FigureWords kFigureWords[] = {{"not judged", Tone::kPlain},
                                         {"within", Tone::kGood},
                                         {"outside", Tone::kBad}};
 // In the order of Trust.
-constexpr VerdictWords kVerdictWords[] = {{"yes", Tone::kGood, "within"},
-                                          {"averages only", Tone::kPart, "AVERAGES"},
-                                          {"no", Tone::kBad, "OUTSIDE"},
-                                          {"undecidable", Tone::kPart, "undecidable"}};
+constexpr VerdictWords kVerdictWords[] = {{"yes", Tone::kGood},
+                                          {"averages only", Tone::kPart},
+                                          {"no", Tone::kBad},
+                                          {"undecidable", Tone::kPart}};
 
 }  // namespace
 
@@ -54,11 +54,12 @@ const char* to_string(Trust trust) { return words_of(trust).word; }
 JudgedFigure judged(const Figure& figure, const FigureSample& native, const FigureSample& other,
                     double tolerance) {
   JudgedFigure f{&figure, native.value, other.value, deviation(figure, native.mean, other.mean)};
-  if (f.is_absent()) f.deviation = 0.0;
+  f.native_mean = native.mean;
+  f.difference = other.mean - native.mean;
+  if (f.is_absent()) f.deviation = f.difference = 0.0;
   const Interval c = interval(native, other);
   f.interval = std::max(native.replay_floor, share_of(figure, native.mean, c.half));
   f.least_told = std::max(f.interval, share_of(figure, native.mean, c.least_told));
-  if (figure.scale != Scale::kPoints) f.whole = std::max(std::abs(native.mean), figure.resolution);
   const bool nothing = native.mean == 0.0 && other.mean == 0.0;
   if (!figure.is_judged() || f.is_absent() || nothing) return f;
   const double d = std::abs(f.deviation);
@@ -80,9 +81,8 @@ JudgedFigure judged(const Figure& figure, double native, double other, double to
 
 bool JudgedFigure::is_absent() const { return std::isnan(native) || std::isnan(other); }
 
-bool JudgedFigure::is_small_count() const {
-  constexpr double kSmall = 100.0;
-  return figure->scale == Scale::kCount && std::abs(native) < kSmall;
+bool JudgedFigure::is_in_units() const {
+  return rotorub::is_in_units(*figure, native) || rotorub::is_in_units(*figure, native_mean);
 }
 
 bool is_settled(const JudgedFigure& figure, double tolerance) {
@@ -91,17 +91,18 @@ bool is_settled(const JudgedFigure& figure, double tolerance) {
 }
 
 std::string deviation_text(const JudgedFigure& f) {
-  if (!f.is_small_count()) return deviation_text(*f.figure, f.deviation);
-  return f.deviation == 0.0 ? "0" : fmt::format("{:+.3g}", f.deviation * f.whole);
+  return f.is_in_units() && f.figure->comparable ? change_text(*f.figure, f.difference)
+                                                 : deviation_text(*f.figure, f.deviation);
 }
 
 std::string size_text(const JudgedFigure& f, double size) {
-  return f.is_small_count() ? fmt::format("{:.2g}", size * f.whole) : size_text(*f.figure, size);
+  const bool shown = rotorub::is_in_units(*f.figure, f.native);
+  return size_text(*f.figure, shown ? f.native : f.native_mean, size);
 }
 
 std::string difference_text(const JudgedFigure& f) {
   if (f.is_absent()) return "–";
-  if ((f.is_small_count() || std::abs(f.native) < f.figure->resolution) && f.native != f.other) {
+  if (f.is_in_units() && f.native != f.other) {
     const std::string unit = *f.figure->unit ? std::string(" ") + f.figure->unit : std::string();
     return fmt::format("{}{} instead of {}", figure_value(*f.figure, f.other), unit,
                        figure_value(*f.figure, f.native));
@@ -121,11 +122,11 @@ std::string two_digits(double value) {
 }  // namespace
 
 std::string plain_difference(const JudgedFigure& f) {
-  constexpr double kTimes = 2.0;  // larger ratios are written as a factor
+  constexpr double kTimes = 2.0;   // larger ratios are written as a factor,
+  constexpr double kWhole = 10.0;  // and even larger ones as a whole number
   const Figure& figure = *f.figure;
-  const double ratio = std::abs(f.other / f.native);
-  const bool small =
-      f.is_small_count() || std::abs(f.native) < figure.resolution || f.native == 0.0;
+  const double ratio = std::abs(1.0 + f.deviation);  // of the means, as in the table
+  const bool small = f.is_in_units() || f.native == 0.0;
   if (figure.scale == Scale::kPoints || small || f.other == 0.0) {
     const auto value = [&](double v) {
       const double shown = figure.per_unit * v;
@@ -140,8 +141,10 @@ std::string plain_difference(const JudgedFigure& f) {
   const bool speed = unit == "Hz" || unit == "rad/s";
   const std::string turned = f.other * f.native < 0.0 ? " and the other way round" : "";
   if (ratio >= kTimes) {
-    return fmt::format("{} {} times as {}{}", figure.label, two_digits(ratio),
-                       speed ? "fast" : "large", turned);
+    // As deviation_text() writes it, so that a reader finds the same number in the table.
+    const std::string times = ratio < kWhole ? two_digits(ratio) : short_number(std::round(ratio));
+    return fmt::format("{} {} times as {}{}", figure.label, times, speed ? "fast" : "large",
+                       turned);
   }
   const char* way = ratio > 1.0 ? (speed ? "fast" : "large") : (speed ? "slow" : "small");
   return fmt::format("{} {} % too {}{}", figure.label, two_digits(100.0 * std::abs(ratio - 1.0)),
@@ -173,6 +176,19 @@ std::vector<JudgedFigure> undecidable(const std::vector<JudgedFigure>& figures) 
   return those(figures, FigureVerdict::kUndecidable);
 }
 
+namespace {
+
+// Why a figure is undecidable.
+std::string detectable_text(const JudgedFigure& f) {
+  const bool count = f.figure->scale == Scale::kCount;
+  if (count && f.interval == 0.0 && std::abs(f.difference) <= 1.0)
+    return "a difference of one cannot be judged";
+  return fmt::format("{}{} would be detected", size_text(f, f.least_told),
+                     count && f.is_in_units() ? " more or fewer" : "");
+}
+
+}  // namespace
+
 std::string why(const std::vector<JudgedFigure>& figures, double tolerance) {
   std::string text = listed(outside(figures), [](const JudgedFigure& f) {
     return fmt::format("{} {}", f.figure->label, difference_text(f));
@@ -185,9 +201,7 @@ std::string why(const std::vector<JudgedFigure>& figures, double tolerance) {
   add("within", listed(those(figures, FigureVerdict::kWithin),
                        [](const JudgedFigure& f) { return f.figure->label; }));
   add("undecidable at", listed(undecidable(figures), [](const JudgedFigure& f) {
-        return fmt::format(
-            "{} {} ({} would be detected)", f.figure->label, difference_text(f),
-            size_text(f, f.least_told) + (f.is_small_count() ? " more or fewer" : ""));
+        return fmt::format("{} {} ({})", f.figure->label, difference_text(f), detectable_text(f));
       }));
   return text;
 }

@@ -34,13 +34,12 @@ struct JudgedFigure {
   // The smallest deviation that this number of twins can resolve (figure_sample.h), at least c,
   // because a drift without scatter hides a deviation too.
   double least_told = 0.0;
-  // SI, what a share is relative to: the native mean, or the figure's resolution if larger
-  double whole = 1.0;
+  double native_mean = 0.0;  // SI, the value that a share is relative to
+  double difference = 0.0;   // SI, of the means; 0 if a value is absent
   FigureVerdict verdict = FigureVerdict::kNotJudged;
 
-  bool is_absent() const;  // one of the runs, or both, lack the figure
-  // A count below 100, whose differences are written as counts.
-  bool is_small_count() const;
+  bool is_absent() const;    // one of the runs, or both, lack the figure
+  bool is_in_units() const;  // figure.h, for the native run that is shown or the native mean
 };
 
 // c is at least native.replay_floor.
@@ -53,13 +52,12 @@ JudgedFigure judged(const Figure& figure, double native, double other,
 // from the tolerance, or the figure is not judged.
 bool is_settled(const JudgedFigure& figure, double tolerance);
 
-// As for a figure (figure.h), but small counts are written as counts: "+12", "3.2".
+// As for a figure (figure.h), in the figure's unit if is_in_units(): "+12", "0.0032 mm/s".
 std::string deviation_text(const JudgedFigure& figure);
 std::string size_text(const JudgedFigure& figure, double size);
 
-// The deviation, with half of its interval if there is one: "-0.70 % ± 1.10 %". If the native
-// value is below the figure's resolution, and for small counts, the values themselves: "0.157 mm/s
-// instead of 0.196", "42 instead of 30".
+// The deviation, with half of its interval if there is one: "-0.70 % ± 1.10 %". If is_in_units(),
+// the values themselves: "0.157 mm/s instead of 0.196", "42 instead of 30".
 std::string difference_text(const JudgedFigure& figure);
 
 // The same for newcomers: "rms gap rate 16 times as large", "lasting contact 0 % instead of 99 %",
@@ -78,7 +76,6 @@ enum class Trust {
 struct VerdictWords {
   const char* word;  // "averages only"
   Tone tone;
-  const char* lead;  // before its sentence
 };
 const VerdictWords& words_of(Trust trust);
 const char* to_string(Trust trust);

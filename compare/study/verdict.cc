@@ -33,12 +33,28 @@ const FigureDifference& of(const ComparedModel& m, const char* key) {
   return *std::ranges::find(m.figures, &figure(key), &FigureDifference::figure);
 }
 
-// The figure with the largest deviation among those outside, otherwise among those within,
-// otherwise among the other judged ones.
+// Orders figures by their weight: those outside, then those within, then the other judged ones, and
+// among equals by the deviation.
+std::pair<FigureVerdict, double> weight(const FigureDifference& f) {
+  return {f.verdict, std::abs(f.deviation)};
+}
+
 const FigureDifference& worst(const ComparedModel& m) {
-  return *std::ranges::max_element(m.figures, {}, [](const FigureDifference& f) {
-    return std::pair(f.verdict, std::abs(f.deviation));
-  });
+  return *std::ranges::max_element(m.figures, {}, weight);
+}
+
+// The worst figure. If that has no split, the worst of the figures with its verdict whose split is
+// known, or null.
+const FigureDifference* worst_with_split(const ComparedModel& m) {
+  const FigureDifference& off = worst(m);
+  if (off.verdict == FigureVerdict::kNotJudged) return nullptr;
+  if (off.figure->split) return &off;
+  const FigureDifference* found = nullptr;
+  for (const FigureDifference& f : m.figures) {
+    if (f.verdict != off.verdict || !f.figure->split || !f.split.valid) continue;
+    if (!found || weight(f) > weight(*found)) found = &f;
+  }
+  return found;
 }
 
 std::string attractor_sentence(const Side& native, const Side& other) {
@@ -46,19 +62,23 @@ std::string attractor_sentence(const Side& native, const Side& other) {
   const Attractor b = other.metrics.settled.attractor;
   if (a == b || a == Attractor::kUnknown || b == Attractor::kUnknown) return {};
   return fmt::format(
-      "it settles to something else: {} ({}), where the native law settles to {} ({})",
+      "it settles to something else: {} ({}), where the native model settles to {} ({})",
       to_string(b), explanation(b), to_string(a), explanation(a));
 }
 
 std::string contact_sentence(const Side& native, const Side& other) {
   const double a = native.metrics.lasting_fraction;
   const double b = other.metrics.lasting_fraction;
-  if (b < a - kOftenEnough) {
+  if (b < a - kOftenEnough && other.metrics.settled.attractor == Attractor::kBouncing) {
     return fmt::format(
-        "{} bounces: in lasting contact {} of the time instead of {}, with a force scatter of "
-        "{:.0f} % of the mean (rigid law: {:.0f} %)",
+        "{} bounces: it is in lasting contact {} of the time instead of {}, with a force scatter "
+        "of {:.0f} % of the mean (native: {:.0f} %)",
         other.label, time_share(b), time_share(a), percent(scatter(other.metrics)),
         percent(scatter(native.metrics)));
+  }
+  if (b < a - kOftenEnough) {
+    return fmt::format("{} is in lasting contact {} of the time instead of {}", other.label,
+                       time_share(b), time_share(a));
   }
   if (b > a + kOftenEnough) {
     return fmt::format(
@@ -74,13 +94,25 @@ std::string impact_sentence(const ComparedModel& m) {
   const FigureDifference &mean = of(m, "mean_force"), &blow = of(m, "window_impulse");
   if (mean.verdict == FigureVerdict::kOutside || blow.verdict != FigureVerdict::kOutside) return {};
   return fmt::format(
-      "the mean force is right ({}), single impacts are not: the largest is {} N s, and {} N s "
-      "by the rigid law",
+      "the mean force is right ({}), but single impacts are not: the largest is {} N s instead "
+      "of {} N s (native)",
       difference_text(mean), short_number(blow.other), short_number(blow.native));
 }
 
-// The source of the worst judged figure's difference.
-std::string split_sentence(const FigureDifference& f, double tolerance) {
+// A step (s) that should bring a figure within the tolerance, if its error shrinks at least in
+// proportion to the step: 1, 2 or 5 times a power of ten, as for --step. It is never less than
+// about a tenth of the step, because the user pays for it.
+std::string smaller_step(const FigureDifference& f, double step, double tolerance) {
+  const double wanted = step * std::clamp(tolerance / std::abs(f.deviation), 0.1, 0.5);
+  const double power = std::pow(10.0, std::floor(std::log10(wanted)));
+  const double leading = wanted / power;
+  constexpr double kRounding = 1e-9;  // a leading 5 may be 4.9999999
+  const double rounded = leading >= 5.0 - kRounding ? 5.0 : leading >= 2.0 - kRounding ? 2.0 : 1.0;
+  return fmt::format("{:.3g}us", 1e6 * rounded * power);
+}
+
+// The source of a judged figure's difference. step: s, of the runs.
+std::string split_sentence(const FigureDifference& f, double step, double tolerance) {
   const Split& s = f.split;
   if (s.difference == 0.0) return {};
   const std::string what = fmt::format("{} ({})", f.figure->label, difference_text(f));
@@ -91,24 +123,34 @@ std::string split_sentence(const FigureDifference& f, double tolerance) {
         s.reason);
   }
   const double gap = std::abs(s.model_gap);
-  const double step = std::abs(s.step_error - s.native_step_error);
+  const double by_step = std::abs(s.step_error - s.native_step_error);
   const double per_unit = f.figure->per_unit;
   const char* unit = f.figure->scale == Scale::kPoints ? "points" : f.figure->unit;
-  if (gap > kDominates * step) {
+  if (gap > kDominates * by_step) {
     return fmt::format(
         "the difference in {} is due to the contact model: {:+.3g} {} remain as the step goes to "
         "0, so a smaller step does not help",
         what, s.model_gap * per_unit, unit);
   }
-  if (step > kDominates * gap) {
-    return fmt::format(
-        "the difference in {} is due to the step: {:+.3g} of {:+.3g} {} vanish with it", what,
-        (s.step_error - s.native_step_error) * per_unit, s.difference * per_unit, unit);
+  if (by_step > kDominates * gap) {
+    return fmt::format("the difference in {} is due to the step ({:+.3g} {}), so {}", what,
+                       (s.step_error - s.native_step_error) * per_unit, unit,
+                       std::abs(f.deviation) > tolerance
+                           ? "try a smaller one: --step " + smaller_step(f, step, tolerance)
+                           : "a smaller step reduces it");
   }
   return fmt::format(
       "the difference in {} is due to both the contact model ({:+.3g} {}) and the step ({:+.3g} "
       "{})",
       what, s.model_gap * per_unit, unit, (s.step_error - s.native_step_error) * per_unit, unit);
+}
+
+// For a figure that has no split, because it is a count.
+std::string count_sentence(const FigureDifference& f, double step) {
+  return fmt::format(
+      "whether the difference in {} ({}) is due to the step shows at a smaller one: --step "
+      "{:.3g}us",
+      f.figure->label, difference_text(f), 1e6 * 0.5 * step);
 }
 
 // Figures that scatter by more than the tolerance: "6.8 % in hard impacts".
@@ -174,7 +216,6 @@ std::vector<std::string> reasons(const SceneComparison& comparison, const Compar
     for (std::string& reason : resync_reasons(other.label, *model.resync)) add(reason);
     return all;
   }
-  const FigureDifference& off = worst(model);
   add(contact_sentence(native, other));
   add(attractor_sentence(native, other));
   add(impact_sentence(model));
@@ -183,7 +224,12 @@ std::vector<std::string> reasons(const SceneComparison& comparison, const Compar
   add(open_loop_sentence(comparison, model));
   // Without a contact, no contact model can be the cause.
   const bool touches = native.metrics.first_touch || other.metrics.first_touch;
-  if (touches && off.figure->split) add(split_sentence(off, comparison.tolerance));
+  if (!touches) return all;
+  if (const FigureDifference* off = worst_with_split(model)) {
+    add(split_sentence(*off, comparison.scene.run.step, comparison.tolerance));
+  } else if (model.trust == Trust::kAveragesOnly) {
+    add(count_sentence(worst(model), comparison.scene.run.step));
+  }
   return all;
 }
 
@@ -220,7 +266,8 @@ std::string headline(const SceneComparison& comparison, const ComparedModel& mod
   switch (model.trust) {
     case Trust::kYes:
       return fmt::format(
-          "MuJoCo's {} contact agrees with the native law within {:.3g} %: its contact forces can "
+          "MuJoCo's {} contact agrees with the native model within {:.3g} %: its contact forces "
+          "can "
           "be trusted here.",
           other.label, tolerance);
     case Trust::kUndecidable:

@@ -94,17 +94,20 @@ std::string best_lines(const TuneResult& r) {
 
 // The share of one cause in a figure; "not known" if it is undetermined, "-" if the figure has no
 // parts.
-std::string part_text(const ErrorParts& errors, const Figure& figure,
+std::string part_text(const ErrorParts& errors, const JudgedFigure& figure,
                       std::optional<double> SplitShares::*part) {
   for (const auto& [of, shares] : errors.figures) {
-    if (of == &figure) return shares.*part ? deviation_text(figure, *(shares.*part)) : "not known";
+    if (of != figure.figure) continue;
+    const std::optional<double>& share = shares.*part;
+    return share ? deviation_text(*of, figure.native_mean, *share) : "not known";
   }
   return "-";
 }
 
 std::string mode_text(const ModelError& error, const Figure& figure) {
   for (const FigureLimit& f : error.figures) {
-    if (f.figure == &figure) return f.error ? deviation_text(figure, *f.error) : "no limit seen";
+    if (f.figure != &figure) continue;
+    return f.error ? deviation_text(figure, f.values[0], *f.error) : "no limit seen";
   }
   return "-";
 }
@@ -119,10 +122,10 @@ std::string error_lines(const TuneResult& r) {
   std::string lines =
       "\n" + line("errors", {"this setting", "contact model", "step", "modes kept"});
   for (const JudgedFigure& f : r.settings[*r.choice.trusted].figures) {
-    lines += line(
-        f.figure->label,
-        {deviation_text(f), part_text(r.errors, *f.figure, &SplitShares::contact),
-         part_text(r.errors, *f.figure, &SplitShares::step), mode_text(r.model_error, *f.figure)});
+    lines +=
+        line(f.figure->label,
+             {deviation_text(f), part_text(r.errors, f, &SplitShares::contact),
+              part_text(r.errors, f, &SplitShares::step), mode_text(r.model_error, *f.figure)});
   }
   if (!r.errors.reason.empty()) lines += wrapped("  not known: ", r.errors.reason);
   return lines + "\n" + result::text_of(model_error_section(r.model_error));

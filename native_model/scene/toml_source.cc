@@ -147,8 +147,8 @@ std::string hint(std::string_view line) {
 
 // A file that begins with "<" is XML, such as a MuJoCo model; TOML never begins with it.
 constexpr const char* kNotXml =
-    "this is a MuJoCo model (XML); give a scene or a study in TOML. `rotorub compare` takes a "
-    "machine of your own as .xml, and `rotorub mjcf SCENE.toml` writes a scene's model";
+    "this is a MuJoCo model (XML), but a scene or study (.toml) is needed. A machine of your own "
+    "(.xml) works only with `rotorub compare`";
 
 bool is_xml(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");

@@ -50,12 +50,14 @@ class EscapeGuard {
     const bool escaped = !inside && (bits() & kWasInside);
     set((bits() & ~kIsOutside) | (inside ? kWasInside : 0) | (escaped ? kIsOutside : 0));
     if (!escaped || (bits() & kWasTold)) return;
+    const auto micrometres = [](double metres) { return std::round(1e7 * metres) / 10.0; };
     set(bits() | kWasTold);
-    warn(message("rotorub: the rotor is {} m deep in its ring at t = {} s, with a clearance of {} "
-                 "m: the step is too long for this motion, or rotor or ring is moved by what the "
-                 "contact does not see; rotorub_active is 0 while that lasts",
-                 -gap, time, clearance)
-             .c_str());
+    warn(
+        message("rotorub: the rotor is {} um deep in its ring (clearance {} um) at t = {} s; use a "
+                "shorter step, or check for forces that move rotor or ring apart from the "
+                "contact; rotorub_active is 0 while that lasts",
+                micrometres(-gap), micrometres(clearance), time)
+            .c_str());
   }
 
  private:

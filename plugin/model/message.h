@@ -89,8 +89,12 @@ inline std::string text_element(const char* name) {
 inline std::string body_element(const mjModel* m, int body) {
   return message("<body name=\"{}\">", m->names + m->name_bodyadr[body]);
 }
+// A joint without a name is found by its body.
 inline std::string joint_element(const mjModel* m, int joint) {
-  return message("<joint name=\"{}\">", m->names + m->name_jntadr[joint]);
+  const char* name = m->names + m->name_jntadr[joint];
+  if (*name) return message("<joint name=\"{}\">", name);
+  return message("{} of {}", m->jnt_type[joint] == mjJNT_FREE ? "the free joint" : "a joint",
+                 body_element(m, m->jnt_bodyid[joint]));
 }
 inline std::string joint_of_dof(const mjModel* m, int dof) {
   return joint_element(m, m->dof_jntid[dof]);

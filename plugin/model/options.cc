@@ -34,8 +34,8 @@ const char* refused_options(const Config& config, const mjModel* m) {
   }
   if ((m->opt.enableflags & mjENBL_OVERRIDE) && config.has_soft()) {
     return "rotorub: <flag override=\"enable\"/>: MuJoCo's solver then uses o_margin, o_solref and "
-           "o_solimp of <option> instead of the rotor's <pair>, which sets contact models coulomb "
-           "and cone; set \"disable\", or use contact model rigid";
+           "o_solimp of <option> instead of the rotor's <pair>, which sets contact models coulomb, "
+           "cone and cone-coulomb; set \"disable\", or use contact model rigid";
   }
   return nullptr;
 }
@@ -44,11 +44,13 @@ const char* refused_integrator(const Config& config, const mjModel* m) {
   if (m->opt.integrator != mjINT_RK4) return nullptr;
   if (!config.model.samplers.empty()) {
     return "rotorub: <option integrator=\"RK4\">: a magnetic bearing's control is sampled once a "
-           "step; use Euler or implicit";
+           "step; use Euler, implicit or, since MuJoCo 2.3.3, implicitfast";
   }
   if (!config.has_rigid()) return nullptr;
   return "rotorub: <option integrator=\"RK4\">: contact model `rigid` applies its impulses once a "
-         "step; use Euler or implicit (or contact model coulomb or cone)";
+         "step; use Euler, implicit or, since MuJoCo 2.3.3, implicitfast (or contact model "
+         "coulomb, "
+         "cone or cone-coulomb)";
 }
 
 const char* refused_silence(const mjModel* m) {

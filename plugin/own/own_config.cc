@@ -260,8 +260,10 @@ void map_own_contacts(const mjModel* m, Config& config) {
     const int needed = config.memory + config.memory_size;
     if (m->nuserdata >= needed) return;
     refuse(message("<size nuserdata=\"{}\">", count(m->nuserdata)),
-           message("at least {} needed, for {} from index {} on", needed, config.memory_size,
-                   config.memory));
+           message("set nuserdata=\"{}\" or more{}", needed,
+                   config.memory == 0 ? std::string()
+                                      : message(": {} entries from index {} on", config.memory_size,
+                                                config.memory)));
   });
   refusals.raise();
   if (config.pairs.empty()) return;

@@ -25,9 +25,10 @@ namespace names = mjcf_names;
 void check_bounce(const mjModel* m, const PairName& name, const ContactPair& p) {
   constexpr double kScatter = 0.03;  // MuJoCo's steps are not more accurate than this
   if (p.contact.tangential_restitution > 0.0) {
-    refuse(own_element(m, name.of(names::kOwnTangential)),
-           "contact models coulomb and cone have no tangential restitution; set 0, or use contact "
-           "model rigid");
+    refuse(
+        own_element(m, name.of(names::kOwnTangential)),
+        "contact models coulomb, cone and cone-coulomb have no tangential restitution; set 0, or "
+        "use contact model rigid");
   }
   if (!own_number(m, name.of(names::kOwnRestitution))) return;
   const double wanted = p.contact.restitution;
@@ -37,10 +38,12 @@ void check_bounce(const mjModel* m, const PairName& name, const ContactPair& p) 
   const double met = soft_restitution(zeta);
   if (std::abs(met - wanted) <= kScatter) return;
   const SoftContact soft = soft_contact(wanted, m->opt.timestep);
-  refuse(pair_element(m, p),
-         message("solref bounces with {}, but {} is {}; write solref=\"{} {}\" solimp=\"0.9999 "
-                 "0.9999 0.001\"",
-                 met, name.of(names::kOwnRestitution), wanted, -soft.stiffness, -soft.damping));
+  refuse(
+      pair_element(m, p),
+      message("write solref=\"{} {}\" solimp=\"0.9999 0.9999 0.001\"; the present solref gives a "
+              "restitution of {}, but {} is {}",
+              -soft.stiffness, -soft.damping, std::round(1e3 * met) / 1e3,
+              name.of(names::kOwnRestitution), wanted));
 }
 
 void check_cone(const mjModel* m, const PairName& name, const ContactPair& p, Refusals& refusals) {
@@ -52,7 +55,9 @@ void check_cone(const mjModel* m, const PairName& name, const ContactPair& p, Re
       continue;
     refusals.attempt([&] {
       refuse(message("<user name=\"{}\">", sensor),
-             "MuJoCo's solver finds the force of contact model cone; set needstage=\"acc\"");
+             "set needstage=\"acc\", because MuJoCo's solver finds the forces of contact models "
+             "cone and "
+             "cone-coulomb");
     });
   }
   refusals.attempt([&] {
@@ -132,12 +137,12 @@ void check_solved_part(const mjModel* m, const ContactPair& p, Refusals& refusal
     return;
   }
   const int condim = m->pair_dim[p.pair];
-  require(gap == 0.0 || p.further, "contact models coulomb and cone need gap=\"0\"");
+  require(gap == 0.0 || p.further, "contact models coulomb, cone and cone-coulomb need gap=\"0\"");
   if (p.contact_model == scene::ContactModel::kCoulomb) {
     require(condim == 1, "contact model coulomb needs condim=\"1\"");
   } else {
     require(condim >= 3 || !(p.contact.friction.coefficient > 0.0),
-            "contact model cone with friction needs condim=\"3\" or more");
+            "contact models cone and cone-coulomb with friction need condim=\"3\" or more");
   }
 }
 

@@ -167,7 +167,7 @@ LinearMachine linear_machine(const mjModel* m, const Config& config, const mjDat
     constexpr double kParallel = 1e-9;
     if (std::abs(probe.along_axis(pair.ring_geom) - 1.0) > kParallel) {
       refuse(message("<geom name=\"{}\">", m->names + m->name_geomadr[pair.ring_geom]),
-             "its z axis differs from the first ring's; a twin needs rings with one axis");
+             "its z axis differs from the first ring's; `compare` needs rings with one axis");
     }
     machine.contacts.push_back(
         {find_ring_turn(m, pair, probe), probe.geom_jacobian(pair.rotor_geom).topRows<2>(),

@@ -64,7 +64,8 @@ class Maker {
     if (std::any_of(config_.pairs.begin(), config_.pairs.end(),
                     [](const ContactPair& pair) { return pair.axial; })) {
       twin_.limits.push_back(
-          "friction along the ring's axis, and its work, exist only in MuJoCo; the twin's friction "
+          "friction along the ring's axis, and its work, exist only in MuJoCo; the native model's "
+          "friction "
           "acts round the ring");
     }
     return std::move(twin_);
@@ -107,7 +108,10 @@ class Maker {
   // Adds damping that couples modes, as dashpots of rank one.
   void add_dampers(const MatrixXd& damping, int row) {
     const std::optional<SymmetricModes> parts = symmetric_modes(damping);
-    if (!parts) throw ConfigError("rotorub: damping: its dashpots are not found, for a twin");
+    if (!parts)
+      throw ConfigError(
+          "rotorub: damping: its dashpots are not found, so there is no native model to compare "
+          "with");
     const double largest = parts->values.cwiseAbs().maxCoeff();
     for (Eigen::Index k = 0; k < n_; ++k) {
       const double value = parts->values[k];
@@ -170,14 +174,14 @@ class Maker {
     if (!gravity) gravity.emplace().acceleration = weight;
     if ((gravity->acceleration - weight).norm() <= kNegligible * weight.norm()) return;
     refuse(joint_of_dof(m_, planes_.rings[contact].front()),
-           "carries another load for its mass than the first ring; a twin needs rings that only "
+           "carries another load for its mass than the first ring; `compare` needs rings that only "
            "gravity loads");
   }
 
   void refuse_spring(int turn, const std::string& body) const {
     if (std::abs(machine_.stiffness(turn, turn)) <= kFree * machine_.mass(turn, turn)) return;
     refuse(joint_of_dof(m_, turn),
-           "turns the " + body + " against a spring; a twin needs stiffness=\"0\"");
+           "turns the " + body + " against a spring; `compare` needs stiffness=\"0\"");
   }
 
   // J Omega_r' = -c Omega_r + the contact's torque, and nothing else (scene::RingSpin).
@@ -188,16 +192,17 @@ class Maker {
     if (std::abs(machine_.force[turn]) > kFree * inertia) {
       refuse(joint_of_dof(m_, turn),
              "turns the ring by " + text(machine_.force[turn]) +
-                 " N m at rest; in a twin only the rub and a drag may turn it");
+                 " N m at rest; for `compare` only the rub and a drag may turn it");
     }
     if (m_->dof_frictionloss[turn] > 0.0) {
       refuse(joint_of_dof(m_, turn),
              "loses " + text(m_->dof_frictionloss[turn]) +
-                 " N m to dry friction as the ring turns; a twin needs frictionloss=\"0\"");
+                 " N m to dry friction as the ring turns; `compare` needs frictionloss=\"0\"");
     }
     if (drag < 0.0 || machine_.contacts[contact].bent_drag > kFree * inertia) {
-      refuse(joint_of_dof(m_, turn),
-             "has a drag that is negative or not linear in its speed; a twin needs a damping >= 0");
+      refuse(
+          joint_of_dof(m_, turn),
+          "has a drag that is negative or not linear in its speed; `compare` needs a damping >= 0");
     }
     twin_.coordinates(at, turn) = sense;
     twin_.scene.auxiliary[contact].stator->spin = scene::RingSpin{inertia, drag, 0.0};
@@ -330,7 +335,7 @@ NativeTwin make_native_twin(const mjModel* m, const Config& config, const mjData
   for (const ContactPair& pair : config.pairs) {
     if (pair.contact_model == config.contact) continue;
     refuse("<custom>",
-           message("has contacts by {} and {}; a twin needs one contact model",
+           message("has contacts by {} and {}; `compare` needs one contact model",
                    scene::to_string(config.contact), scene::to_string(pair.contact_model)));
   }
   return Maker(m, config, start).make();

@@ -81,11 +81,11 @@ std::vector<int> ring_dofs(const mjModel* m, const LinearMachine& machine,
   for (int i = 0; i < m->nv; ++i) {
     if (!moves(contact.ring, i)) continue;
     if (moves_rotor(machine, 0, i) || moves_rotor(machine, 1, i)) {
-      refuse(joint_of_dof(m, i), "moves rotor and ring; in a twin a joint moves one of them");
+      refuse(joint_of_dof(m, i), "moves rotor and ring; for `compare` a joint moves one of them");
     }
     for (const LinearContact& other : machine.contacts) {
       if (&other == &contact || !moves(other.ring, i)) continue;
-      refuse(joint_of_dof(m, i), "moves two rings; in a twin each ring has its own joints");
+      refuse(joint_of_dof(m, i), "moves two rings; for `compare` each ring has its own joints");
     }
     ring.push_back(i);
   }
@@ -93,21 +93,22 @@ std::vector<int> ring_dofs(const mjModel* m, const LinearMachine& machine,
   if (ring.size() != 2) {
     refuse(joint_of_dof(m, ring.front()),
            "is one of " + text(static_cast<int>(ring.size())) +
-               " that move the ring; a twin needs two, along x and y of its geom, or none");
+               " that move the ring; `compare` needs two, along x and y of its geom, or none");
   }
   if (moves(contact.ring, 0, ring[1])) std::swap(ring[0], ring[1]);
   for (int k = 0; k < 2; ++k) {
     const int dof = ring[static_cast<std::size_t>(k)];
     if (moves(contact.ring, 1 - k, dof) || !moves(contact.ring, k, dof)) {
-      refuse(joint_of_dof(m, dof),
-             "does not move the ring along x or y of the first ring's geom; a twin needs a joint "
-             "along one of them (a round geom may be turned about its axis)");
+      refuse(
+          joint_of_dof(m, dof),
+          "does not move the ring along x or y of the first ring's geom; `compare` needs a joint "
+          "along one of them (a round geom may be turned about its axis)");
     }
     for (int other = 0; other < m->nv; ++other) {
       if (other == dof || !links.linked(dof, other)) continue;
       refuse(joint_of_dof(m, dof),
              "acts on " + joint_of_dof(m, other) +
-                 "; a twin needs a ring whose two joints act on nothing else");
+                 "; `compare` needs a ring whose two joints act on nothing else");
     }
   }
   return ring;
@@ -120,7 +121,7 @@ void refuse_linked_spin(const mjModel* m, int spin, const Links& links,
     if (spin < 0 || !links.linked(spin, i)) continue;
     refuse(joint_of_dof(m, spin),
            "acts on " + joint_of_dof(m, i) +
-               " at rest; in a twin only unbalance couples spin and bending");
+               " at rest; for `compare` only unbalance couples spin and bending");
   }
 }
 
@@ -130,14 +131,16 @@ void refuse_linked_turn(const mjModel* m, int turn, const Links& links,
                         const std::vector<int>& ring) {
   if (turn < 0) return;
   if (ring.empty()) {
-    refuse(joint_of_dof(m, turn),
-           "turns a ring that does not move; in a twin such a ring needs joints along x and y as "
-           "well");
+    refuse(
+        joint_of_dof(m, turn),
+        "turns a ring that does not move; for `compare` such a ring needs joints along x and y as "
+        "well");
   }
   for (int i = 0; i < m->nv; ++i) {
     if (i == turn || !links.linked(turn, i)) continue;
-    refuse(joint_of_dof(m, turn), "acts on " + joint_of_dof(m, i) +
-                                      "; a twin needs a ring whose turning acts on nothing else");
+    refuse(joint_of_dof(m, turn),
+           "acts on " + joint_of_dof(m, i) +
+               "; `compare` needs a ring whose turning acts on nothing else");
   }
 }
 
@@ -149,7 +152,10 @@ TwinPlane modes_of(std::vector<int> dofs, const LinearMachine& machine, int row)
   const MatrixXd k = machine.stiffness(dofs, dofs);
   const MatrixXd even = 0.5 * (k + k.transpose());
   const std::optional<SymmetricModes> modes = symmetric_modes(even, mass);
-  if (!modes) throw ConfigError("rotorub: the modes of its rotor are not found, for a twin");
+  if (!modes)
+    throw ConfigError(
+        "rotorub: the modes of its rotor are not found, so there is no native model to compare "
+        "with");
   plane.shapes = modes->vectors;  // with modal masses of 1
   for (const LinearContact& contact : machine.contacts) {
     plane.contacts.push_back(plane.shapes.transpose() * contact.rotor.row(row)(dofs).transpose());
@@ -218,10 +224,11 @@ TwinPlanes part_planes(const mjModel* m, const LinearMachine& machine) {
       }
     }
     if (joint[0] >= 0 && joint[1] >= 0) {
-      refuse(joint_of_dof(m, joint[0]),
-             "moves with " + joint_of_dof(m, joint[1]) +
-                 ", and they move the rotor in both planes of the ring's geom; a twin needs planes "
-                 "that do not act on each other (a round geom may be turned about its axis)");
+      refuse(
+          joint_of_dof(m, joint[0]),
+          "moves with " + joint_of_dof(m, joint[1]) +
+              ", and they move the rotor in both planes of the ring's geom; `compare` needs planes "
+              "that do not act on each other (a round geom may be turned about its axis)");
     }
     std::vector<int>& to = joint[0] >= 0 ? of[0] : joint[1] >= 0 ? of[1] : rest;
     to.insert(to.end(), group.begin(), group.end());
@@ -248,7 +255,7 @@ TwinPlanes part_planes(const mjModel* m, const LinearMachine& machine) {
     if (!of[k].empty()) plane = modes_of(of[k], machine, k);
     if (!of[k].empty() && !plane.contacts.front().isZero(0.0)) continue;
     throw ConfigError("rotorub: no joint moves the rotor along " + std::string(k == 0 ? "x" : "y") +
-                      " of the ring's geom; a twin needs a rotor that moves in both planes");
+                      " of the ring's geom; `compare` needs a rotor that moves in both planes");
   }
   const Eigen::Index modes = std::max(planes.x.mass.size(), planes.y.mass.size());
   pad(planes.x, modes);

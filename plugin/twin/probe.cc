@@ -91,7 +91,7 @@ void refuse_turned_axes(const mjModel* m, int dof, int geom, const std::string& 
   for (int i = 0; i < m->nv; ++i) {
     if ((after - before).col(i).cwiseAbs().maxCoeff() <= kParallel) continue;
     refuse(joint_of_dof(m, dof), "turns the axis of " + joint_of_dof(m, i) +
-                                     "; in a twin the hinge must come after the " + body +
+                                     "; for `compare` the hinge must come after the " + body +
                                      "'s other joints");
   }
 }
@@ -102,17 +102,19 @@ AxisJoint find(const mjModel* m, int geom, const std::string& body, Probe& probe
   for (int i = 0; i < m->nv; ++i) {
     if (!turns(j, i)) continue;
     if (m->jnt_type[m->dof_jntid[i]] != mjJNT_HINGE) {
-      refuse(joint_of_dof(m, i), "turns the " + body + "; a twin needs one hinge about its axis");
+      refuse(joint_of_dof(m, i),
+             "is not a hinge; `compare` needs a " + body + " that turns about one hinge");
     }
     const double off = j.col(i).head<2>().norm() + j.col(i).segment<2>(3).norm();
     if (off > kParallel) {
-      refuse(joint_of_dof(m, i),
-             "turns the " + body +
-                 " about another axis than the z axis of the ring's geom; a twin needs that axis");
+      refuse(
+          joint_of_dof(m, i),
+          "turns the " + body +
+              " about another axis than the z axis of the ring's geom; `compare` needs that axis");
     }
     if (found.dof >= 0) {
       refuse(joint_of_dof(m, i),
-             "is a second joint about the " + body + "'s axis; a twin needs one");
+             "is a second joint about the " + body + "'s axis; `compare` needs one");
     }
     found = {i, j(5, i) > 0.0 ? 1.0 : -1.0};
   }
@@ -128,7 +130,7 @@ AxisJoint find_spin(const mjModel* m, const Config& config, Probe& probe) {
     const AxisJoint other = find(m, pair.rotor_geom, "rotor", probe);
     if (other.dof == spin.dof) continue;
     refuse(joint_of_dof(m, std::max(other.dof, spin.dof)),
-           "turns the rotor of one contact but not of another; a twin needs one rotor in all "
+           "turns the rotor of one contact but not of another; `compare` needs one rotor in all "
            "contacts");
   }
   return spin;
@@ -137,7 +139,8 @@ AxisJoint find_spin(const mjModel* m, const Config& config, Probe& probe) {
 AxisJoint find_ring_turn(const mjModel* m, const ContactPair& pair, Probe& probe) {
   const AxisJoint found = find(m, pair.ring_geom, "ring", probe);
   if (found.dof >= 0 && turns(probe.geom_jacobian(pair.rotor_geom), found.dof)) {
-    refuse(joint_of_dof(m, found.dof), "turns rotor and ring; in a twin a joint turns one of them");
+    refuse(joint_of_dof(m, found.dof),
+           "turns rotor and ring; for `compare` a joint turns one of them");
   }
   return found;
 }

@@ -31,7 +31,7 @@ TEST(CliBench, EachSceneHasItsTable) {
       folder.done({"bench", shipped("bench_drop"), shipped("bench_billiard"), "--engines", "native",
                    "--steps", "100us,50us,20us", "--tolerances", "1e-6,1e-9", "--repeats", "1"});
   EXPECT_TRUE(contains(done.out, {"bench_drop:", "bench_billiard:", "native-event", "closed form",
-                                  "a native integrator is the fastest"}));
+                                  "A native integrator is the fastest"}));
 }
 
 // Files appear whole, the page needs no network, and the JSON is that of --json.

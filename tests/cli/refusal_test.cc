@@ -34,6 +34,14 @@ TEST(CliRefusal, OfMoreStepsThanCanBeDone) {
   }
 }
 
+// An option that would have no effect is refused.
+TEST(CliRefusal, OfTuneOnAMachineOfYourOwn) {
+  const Folder folder;
+  expect_refused(folder,
+                 {"compare", std::string(ROTORUB_MJCF_DIR) + "/examples/own_model.xml", "--tune"},
+                 {"own_model.xml: --tune works on scenes (.toml) only", "--step 5us"});
+}
+
 TEST(CliRefusal, OfMoreRowsThanMemoryHolds) {
   const Folder folder;
   const std::string ring = shipped("bench_ring");
@@ -73,7 +81,7 @@ TEST(CliRefusal, OfAModelSaysWhatToGiveInEveryCommand) {
   std::ofstream(folder.path() / "own.xml") << "<!-- mine -->\n<mujoco/>\n";
   for (const auto& [command, words] : kGivenAModel) {
     folder.refuses(with({command}, words),
-                   {"own.xml: this is a MuJoCo model (XML); give a scene or a study in TOML",
+                   {"own.xml: this is a MuJoCo model (XML), but a scene or study (.toml) is needed",
                     "rotorub compare"});
   }
   expect_refused(folder, {"plot", "own.xml"}, {"own.xml is not a folder; give the output folder"});

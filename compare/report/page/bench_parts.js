@@ -8,7 +8,7 @@ function cardOf({scene, levels, verdict}, id) {
   const answers = levels.filter((level) => level.clearance_share >= headlineShare).map((level) => level.native_is_fastest).filter((is) => is !== null);
   const [tone, headline] = !answers.length ? ['part', 'No engine reaches a level'] :
     answers.every(Boolean) ? ['good', 'A native integrator at every level reached'] : ['bad', 'Not native at every level'];
-  return {title: scene, tone, headline, text: `${verdict[0].toUpperCase()}${verdict.slice(1)}.`, link: `#${id}`};
+  return {title: scene, tone, headline, text: verdict, link: `#${id}`};
 }
 
 export function benchParts({page: {parts}, benches, machine, texts}) {

@@ -3,7 +3,7 @@ const words = [
   ['native', 'The program\'s own model of the scene, without MuJoCo. The other runs are judged against it.'],
   ['MuJoCo alone (cone)', 'MuJoCo\'s own soft contact with its own friction cone, as a model in MuJoCo has it.'],
   ['with the corrected cone (cone-coulomb)', 'The same contact; a plugin corrects its normal reference for sliding, so that friction follows Coulomb\'s law.'],
-  ['with Coulomb\'s friction beside it (coulomb)', 'MuJoCo\'s soft normal force; a plugin adds the friction of Coulomb\'s law.'],
+  ['MuJoCo\'s normal force, Coulomb friction (coulomb)', 'MuJoCo\'s soft normal force; a plugin adds the friction of Coulomb\'s law.'],
   ['with the rigid law (rigid)', 'A plugin solves impacts and lasting contact inside MuJoCo\'s step, by the laws of the native model.'],
   ['trusted', 'Yes: every judged figure that can be decided is within the tolerance. Averages only: forces, work and speeds are; figures of ' +
     'single moments, such as the largest impact, are not. No: an average is off. Undecidable: the motion does not repeat itself well enough to tell.'],

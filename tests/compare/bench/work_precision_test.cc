@@ -105,8 +105,9 @@ TEST(Levels, TakeTheFastestPointWithinTheLevel) {
   EXPECT_FALSE(native_is_fastest(all[4])) << "nothing to say";
   EXPECT_FALSE(rigid_is_fastest_mujoco(all[4]));
   const std::string verdict = verdict_text(all);
-  EXPECT_NE(verdict.find("but not at 1e-03;"), std::string::npos) << verdict;
-  EXPECT_NE(verdict.find("settings but not at 1e-02"), std::string::npos) << verdict;
+  EXPECT_NE(verdict.find("A native integrator is the fastest, except at 1e-03."), std::string::npos)
+      << verdict;
+  EXPECT_NE(verdict.find("`rigid` is the fastest, except at 1e-02."), std::string::npos) << verdict;
 }
 
 // A level finer than 1e-5 of the clearance is listed but is not the headline.
@@ -119,17 +120,18 @@ TEST(Levels, TheHeadlineStopsAtEngineering) {
   EXPECT_FALSE(in_headline(all[4])) << "1e-6";
   EXPECT_FALSE(*native_is_fastest(all[4]));
   const std::string verdict = verdict_text(all);
-  EXPECT_NE(verdict.find("fastest at every level reached"), std::string::npos) << verdict;
+  EXPECT_NE(verdict.find("the fastest at every level that any engine reaches"), std::string::npos)
+      << verdict;
 }
 
 // Nobody is the fastest at nothing.
 TEST(Levels, AVerdictOnNothingSaysSo) {
   EXPECT_EQ(verdict_text(levels({}, engines(), kClearance, 0.0)),
-            "no engine reaches any of these levels: there is no fastest");
+            "No engine reaches any of these levels.");
   const std::vector<Point> native{made_point("native-verlet", 1e-4, 5e-6, 1e-3)};
   EXPECT_EQ(verdict_text(levels(native, engines(), kClearance, 0.0)),
-            "a native integrator is the fastest at every level reached; no setting of MuJoCo's "
-            "reaches one");
+            "A native integrator is the fastest at every level that any engine reaches. No setting "
+            "of MuJoCo reaches any of these levels.");
 }
 
 TEST(Levels, FailuresAndUntimedPointsDoNotCount) {

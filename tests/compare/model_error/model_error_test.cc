@@ -139,7 +139,9 @@ TEST(ModelError, OfModalDataIsNotTold) {
   EXPECT_TRUE(error.figures.empty());
   EXPECT_NE(error.reason.find("modal form"), std::string::npos);
   const result::Section told = model_error_section(error);
-  EXPECT_NE(result::text_of(told).find("not known: modal form"), std::string::npos);
+  EXPECT_NE(
+      result::text_of(told).find("not checked, because a scene in modal form has no further modes"),
+      std::string::npos);
   EXPECT_TRUE(result::json_of(told).contains("reason"));
 }
 

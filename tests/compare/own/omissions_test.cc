@@ -81,8 +81,8 @@ TEST(Omissions, FrictionLossIsMeasured) {
   test::Machine x = test::rubbing_ring();
   x.constraints = key("qpos=\"4.9e-4 0 0 0 0\" qvel=\"1 0 0 0 0\"");
   expect_omission(test::document(x),
-                  "the twin leaves out the friction loss of <joint name=\"ring_x\">", test::kLoss,
-                  1e-3 * test::kLoss);
+                  "the native model leaves out the friction loss of <joint name=\"ring_x\">",
+                  test::kLoss, 1e-3 * test::kLoss);
 }
 
 // On the spin: N m over the rotor's radius of 50 mm.
@@ -207,10 +207,12 @@ TEST(Omissions, FrictionAlongTheAxisIsMeasured) {
 }
 
 TEST(Omissions, ASentenceHasTheSize) {
-  const Omission force{"the twin leaves out the limit of tendon \"t\", whose force reaches", 12.0};
-  EXPECT_EQ(force.sentence(150.0),
-            "the twin leaves out the limit of tendon \"t\", whose force reaches 12 N, 8 % of the "
-            "mean contact force");
+  const Omission force{"the native model leaves out the limit of tendon \"t\", whose force reaches",
+                       12.0};
+  EXPECT_EQ(
+      force.sentence(150.0),
+      "the native model leaves out the limit of tendon \"t\", whose force reaches 12 N, 8 % of the "
+      "mean contact force");
   const Omission place{"the rotor's place differs by up to", 0.03, " of the clearance"};
   EXPECT_EQ(place.sentence(150.0), "the rotor's place differs by up to 3 % of the clearance");
   EXPECT_EQ(place.share(150.0), 0.03);

@@ -248,7 +248,27 @@ TEST(OwnMachine, TakesNeitherCommandsNorAnotherStart) {
 
 TEST(OwnMachine, RefusesWhatIsNone) {
   EXPECT_TRUE(contains(refusal(ROTORUB_MJCF_DIR "/bench_ring.xml"), "compare the scene"));
-  EXPECT_TRUE(contains(refusal_of("foreign", "<mujoco><worldbody/></mujoco>"), "names no rub"));
+  EXPECT_TRUE(
+      contains(refusal_of("foreign", "<mujoco><worldbody/></mujoco>"), "names no rotor in a ring"));
+}
+
+// The file has no keys of a scene, so a message must not name one.
+TEST(OwnMachine, RefusesAStartOutsideTheRing) {
+  test::Machine x;
+  x.constraints = R"(<keyframe><key name="start" qpos="0 6e-4 0 0 0"/></keyframe>)";
+  const std::string why = refusal_of("outside", test::document(x));
+  EXPECT_TRUE(contains(why, "in the keyframe \"start\" the rotor is 0.0006 m from the centre"))
+      << why;
+  EXPECT_TRUE(contains(why, "but the clearance is 0.0005 m")) << why;
+}
+
+TEST(OwnMachine, SaysThatACorrectedPairIsNoRotor) {
+  EXPECT_TRUE(contains(refusal_of("pair", R"(<mujoco><size nuserdata="21"/><worldbody>
+      <geom name="floor" type="plane" size="1 1 1"/>
+      <body name="ball"><freejoint/><geom name="ball" size="0.1"/></body></worldbody>
+      <contact><pair name="sliding" geom1="floor" geom2="ball" condim="3"/></contact>
+      <custom><text name="rotorub_cone_coulomb_pair" data="sliding"/></custom></mujoco>)"),
+                       "has no rotor in a ring, so there is nothing to compare"));
 }
 
 }  // namespace

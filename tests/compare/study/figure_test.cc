@@ -62,8 +62,24 @@ TEST(Format, SizesHaveNoSign) {
   const Figure& force = figure("mean_force");
   EXPECT_EQ(size_text(force, 0.068), "6.80 %");
   EXPECT_EQ(size_text(force, 1e-6), "0.00 %");
-  EXPECT_EQ(size_text(force, 187.0), "×188");
+  EXPECT_EQ(size_text(force, 187.0), "18700 %") << "a size is no factor";
   EXPECT_EQ(size_text(force, std::numeric_limits<double>::infinity()), "∞");
+}
+
+// A percentage of the resolution would be read as a percentage of the value.
+TEST(Figures, DifferencesFromASmallValueAreWrittenInItsUnit) {
+  const Figure& rate = figure("gap_rate_rms");  // resolution 1 mm/s
+  EXPECT_TRUE(is_in_units(rate, 0.5301e-3));
+  EXPECT_FALSE(is_in_units(rate, 1e-3));
+  EXPECT_EQ(deviation_text(rate, 0.5301e-3, deviation(rate, 0.5301e-3, 0.5688e-3)), "+0.0387 mm/s");
+  EXPECT_EQ(deviation_text(rate, 0.5301e-3, deviation(rate, 0.5301e-3, 0.1022)), "+102 mm/s");
+  EXPECT_EQ(deviation_text(rate, 0.02, deviation(rate, 0.02, 0.0214)), "+7.00 %");
+  EXPECT_EQ(size_text(rate, 0.5e-3, 0.032), "0.032 mm/s");
+  EXPECT_EQ(deviation_text(figure("hard_impacts"), 30.0, 0.4), "+12");
+  EXPECT_EQ(deviation_text(figure("hard_impacts"), 600.0, 0.4), "+40 %");
+  EXPECT_EQ(deviation_text(figure("lasting_fraction"), 0.0, 0.4), "+40 points");
+  // Work is negative: more of it is a larger magnitude, but a smaller number.
+  EXPECT_EQ(deviation_text(figure("friction_work"), -5e-4, 0.2), "-0.0002 J");
 }
 
 TEST(Format, WordsAreWrapped) {

@@ -90,12 +90,17 @@ TEST(SceneComparison, JsonAndTableHaveWhatTheContractNames) {
     EXPECT_EQ(summary.at("status"), "ok");
   }
   EXPECT_TRUE(j.at("differences").at("cone").at("figures").at("mean_force").contains("split"));
+  const std::string split =
+      result::text_of(told).substr(result::text_of(told).find("split of the"));
+  EXPECT_EQ(split.find("rigid    largest impulse"), std::string::npos)
+      << "a figure that a run lacks has no row\n"
+      << split;
   EXPECT_FALSE(j.dump().empty());
   const std::string table = result::text_of(told);
   for (const char* text :
        {"bench_ring", "native", "rigid", "coulomb", "cone", "mean normal force, N",
-        "lasting contact, %", "total impulse, N s", "OUTSIDE", "cone bounces", "trusted",
-        "µs a step", "MuJoCo alone? (cone)", "with the corrected cone? (cone-coulomb)",
+        "lasting contact, %", "total impulse, N s", "cone bounces: it is in lasting contact",
+        "trusted", "µs a step", "MuJoCo alone? (cone)", "with the corrected cone? (cone-coulomb)",
         "with the rigid law? (rigid)", "The exit code refers to rigid"}) {
     EXPECT_NE(table.find(text), std::string::npos) << text;
   }
@@ -236,6 +241,17 @@ TEST(SceneComparison, NoContactIsNoPraise) {
   EXPECT_EQ(said.find("trusted"), std::string::npos) << said;
   EXPECT_NE(said.find("Nothing touches"), std::string::npos) << said;
   for (const AnswerRow& row : answer(c)) EXPECT_STREQ(row.verdict.word, "no contact") << row.why;
+  const std::string text = result::text_of(comparison_result(c));
+  EXPECT_NE(text.find("no contact     Nothing touches in 20 ms (least gap "), std::string::npos);
+  EXPECT_NE(text.find("least gap, µm"), std::string::npos) << text;
+  // Neither a table of zeros, nor the same sentence for every contact model.
+  EXPECT_EQ(text.find("mean normal force"), std::string::npos) << text;
+  EXPECT_EQ(text.find("Nothing touches", text.find("Nothing touches") + 1), std::string::npos);
+  EXPECT_TRUE(result::json_of(comparison_result(c))
+                  .at("differences")
+                  .at("cone")
+                  .at("figures")
+                  .contains("mean_force"));
 }
 
 // One unit in the last place of the clearance survives the first sums, whatever the start.

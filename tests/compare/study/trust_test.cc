@@ -99,6 +99,8 @@ TEST(FigureVerdict, ASmallGapRateIsWrittenAsItIs) {
   const JudgedFigure f = judged(figure("gap_rate_rms"), 0.196e-3, 0.157e-3, kPercent);
   EXPECT_EQ(f.verdict, FigureVerdict::kOutside);
   EXPECT_EQ(difference_text(f), "0.1570 mm/s instead of 0.1960");
+  EXPECT_EQ(deviation_text(f), "-0.039 mm/s");
+  EXPECT_EQ(size_text(f, 0.02), "0.02 mm/s");
 }
 
 TEST(FigureVerdict, SmallCountsAreWrittenAsCounts) {
@@ -107,8 +109,9 @@ TEST(FigureVerdict, SmallCountsAreWrittenAsCounts) {
   EXPECT_DOUBLE_EQ(more.deviation, 0.4) << "of 30, not of 100";
   EXPECT_EQ(difference_text(more), "42 instead of 30");
   EXPECT_EQ(deviation_text(more), "+12");
-  EXPECT_EQ(why({judged(hard, 2.0, 1.0, kPercent)}, kPercent),
-            "undecidable at 1 %: hard impacts 1 instead of 2 (2 more or fewer would be detected)");
+  EXPECT_EQ(
+      why({judged(hard, 2.0, 1.0, kPercent)}, kPercent),
+      "undecidable at 1 %: hard impacts 1 instead of 2 (a difference of one cannot be judged)");
   EXPECT_EQ(difference_text(judged(hard, 600.0, 610.0, kPercent)), "+1.67 %");
   EXPECT_EQ(difference_text(judged(hard, 6.0, 6.0, kPercent)), "0");
 }
@@ -247,6 +250,27 @@ TEST(ThreeErrors, AreThoseOfTheFigureThatIsFurthestOff) {
   EXPECT_STREQ(errors.contact.figure->label, "lasting contact");
 }
 
+// A share of 0 % beside a verdict that fails says nothing about the failure.
+TEST(ThreeErrors, NameTheFailingFiguresThatAreNotKnown) {
+  SceneComparison c = made_by_hand();
+  ComparedModel& m = c.models[0];
+  EXPECT_EQ(error_text(three_errors(c, m).contact), "-5.00 points lasting contact");
+  FigureDifference count;
+  static_cast<JudgedFigure&>(count) = judged(figure("hard_impacts"), 7.0, 5.0, kPercent);
+  ASSERT_EQ(count.verdict, FigureVerdict::kOutside);
+  m.figures.push_back(count);
+  EXPECT_EQ(error_text(three_errors(c, m).contact),
+            "-5.00 points lasting contact; not known for hard impacts");
+  FigureDifference rate;
+  static_cast<JudgedFigure&>(rate) = judged(figure("gap_rate_rms"), 0.5e-3, 0.6e-3, kPercent);
+  rate.split.valid = true;
+  rate.split.step_error = 0.1e-3;
+  m.figures = {rate};
+  EXPECT_EQ(error_text(three_errors(c, m).step), "+0.1 mm/s rms gap rate");
+  m.figures = {count};
+  EXPECT_EQ(error_text(three_errors(c, m).step), "not known for hard impacts");
+}
+
 TEST(ThreeErrors, SayWhatCannotBeTold) {
   SceneComparison c = made_by_hand();
   c.models[0].figures.push_back(c.models[0].figures[0]);
@@ -284,6 +308,77 @@ TEST(ThreeErrors, HaveTheModesOfTheLadder) {
   EXPECT_EQ(errors.modes->untold, 1);
 }
 
+// The reasons of a verdict, on runs made by hand.
+class Reasons : public testing::Test {
+ protected:
+  Reasons() {
+    c_.native.label = "native";
+    c_.scene.run.step = 1e-5;
+    c_.tolerance = kPercent;
+    ComparedModel& m = c_.models.emplace_back();
+    m.run.label = "cone";
+    for (Metrics* metrics : {&c_.native.metrics, &m.run.metrics}) {
+      metrics->first_touch = 0.0;
+      metrics->mean_force = 1.0;
+    }
+    for (const Figure& f : figures()) {
+      FigureDifference difference;
+      difference.figure = &f;
+      m.figures.push_back(difference);
+    }
+  }
+  FigureDifference& set(const char* key, double native, double other) {
+    for (FigureDifference& f : c_.models[0].figures) {
+      if (f.figure->key != std::string(key)) continue;
+      static_cast<JudgedFigure&>(f) = judged(*f.figure, native, other, kPercent);
+      f.split.difference = other - native;
+      return f;
+    }
+    throw std::out_of_range(key);
+  }
+  std::string said() {
+    ComparedModel& m = c_.models[0];
+    m.trust = trust(m.judged());
+    std::string all;
+    for (const std::string& reason : reasons(c_, m)) all += reason + "\n";
+    return all;
+  }
+  SceneComparison c_;
+};
+
+TEST_F(Reasons, OnlyABouncingRotorBounces) {
+  Side& cone = c_.models[0].run;
+  c_.native.metrics.lasting_fraction = 0.95;
+  cone.metrics.lasting_fraction = 0.53;
+  cone.metrics.force_deviation = 1.83;
+  c_.native.metrics.force_deviation = 3.77;
+  cone.metrics.settled.attractor = Attractor::kBackwardWhip;
+  EXPECT_EQ(said().find("bounces"), std::string::npos);
+  EXPECT_NE(said().find("cone is in lasting contact 53 % of the time instead of 95 %\n"),
+            std::string::npos);
+  cone.metrics.settled.attractor = Attractor::kBouncing;
+  EXPECT_NE(said().find("cone bounces: it is in lasting contact 53 % of the time instead of 95 %, "
+                        "with a force scatter of 183 % of the mean (native: 377 %)"),
+            std::string::npos)
+      << said();
+}
+
+// The worst figure is a count, which has no split; the next one has.
+TEST_F(Reasons, AFigureThatCanBeSplitSaysWhatToDo) {
+  set("mean_force", 26.96, 26.97);
+  set("hard_impacts", 7.0, 5.0);
+  EXPECT_EQ(said(),
+            "whether the difference in hard impacts (5 instead of 7) is due to the step shows at a "
+            "smaller one: --step 5us\n");
+  Split& split = set("gap_rate_rms", 0.5301e-3, 0.5688e-3).split;
+  split.valid = true;
+  split.step_error = 0.0403e-3;
+  split.model_gap = -0.0016e-3;
+  EXPECT_EQ(said(),
+            "the difference in rms gap rate (0.5688 mm/s instead of 0.5301) is due to the step "
+            "(+0.0403 mm/s), so try a smaller one: --step 2us\n");
+}
+
 TEST(PlainDifference, IsInWordsOfEveryDay) {
   const auto plain = [](const char* key, double native, double other) {
     return plain_difference(judged(figure(key), native, other, kPercent));
@@ -294,7 +389,7 @@ TEST(PlainDifference, IsInWordsOfEveryDay) {
   EXPECT_EQ(plain("mean_force", 100.0, 101.6), "mean normal force 1.6 % too large");
   EXPECT_EQ(plain("whirl_frequency", -501.9, -11287.0), "whirl 22 times as fast");
   EXPECT_EQ(plain("whirl_frequency", 300.0, -285.0), "whirl 5 % too slow and the other way round");
-  EXPECT_EQ(plain("mean_force", 244.84, 118012.0), "mean normal force 480 times as large");
+  EXPECT_EQ(plain("mean_force", 244.84, 118012.0), "mean normal force 482 times as large");
   // Too small for a share of itself.
   EXPECT_EQ(plain("hard_impacts", 8.0, 309.0), "hard impacts 309 instead of 8");
   EXPECT_EQ(plain("gap_rate_rms", 0.0, 0.017), "rms gap rate 17 mm/s instead of 0 mm/s");

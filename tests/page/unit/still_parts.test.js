@@ -63,7 +63,7 @@ test('the map of feedback counts the speeds at which it calms the rub', () => {
 test('a bench judges the levels of the headline, and has plots and text with each scene', () => {
   const level = (share, native) => ({clearance_share: share, native_is_fastest: native});
   const cardOf = (...levels) => stillParts({page: page('bench', [{id: 'scenes-1', parts: [{text: 'x'}]}, {id: 'engines'}]), machine: {}, texts: ['toml'],
-    benches: [{scene: 'ring', levels, verdict: 'why'}]});
+    benches: [{scene: 'ring', levels, verdict: 'Why.'}]});
   const [{cards: [card]}, , scene, engines] = cardOf(level(1e-2, true), level(1e-5, true), level(1e-6, false), level(1e-3, null));
   assert.deepEqual([card.tone, card.text, card.link, engines.id], ['good', 'Why.', '#scenes-1', 'engines']);
   assert.deepEqual(scene.parts, [{plots: 'bench', index: 0}, {text: 'x'}, {summary: 'The scene\'s text', pre: 'toml'}]);

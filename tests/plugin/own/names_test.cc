@@ -158,11 +158,11 @@ TEST_F(OwnNames, TwoContactModelsOnOneShaftAreRefused) {
 TEST_F(OwnNames, TheSizeThatIsNeededIsSaid) {
   TwoRings x;
   x.userdata = "33";
-  expect_refused(document(x), "at least 34 needed");
+  expect_refused(document(x), "set nuserdata=\"34\" or more");
   x.userdata = "34";
   load(document(x));
   x.custom = "<numeric name=\"rotorub_userdata\" data=\"10\"/>";
-  expect_refused(document(x), "at least 44 needed, for 34 from index 10 on");
+  expect_refused(document(x), "set nuserdata=\"44\" or more: 34 entries from index 10 on");
 }
 
 class OwnUserData : public OwnNames {};

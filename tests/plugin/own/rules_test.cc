@@ -49,9 +49,10 @@ TEST_F(OwnRules, ThePairSaysWhatTheTextSays) {
   Machine soft;
   soft.contact = "coulomb";
   load(document(soft));
-  expect_refused(replaced(document(soft), "-10211.0255", "-1000"), "solref bounces with 0.9");
+  expect_refused(replaced(document(soft), "-10211.0255", "-1000"),
+                 "the present solref gives a restitution of 0.9");
   expect_refused(replaced(document(soft), "solref=\"-4e8 -10211.0255\"", ""),
-                 "solref bounces with 0.13");
+                 "the present solref gives a restitution of 0.13");
   soft.custom = "<numeric name=\"rotorub_tangential_restitution\" data=\"0.5\"/>";
   expect_refused(document(soft), "rotorub_tangential_restitution");
 
@@ -206,7 +207,7 @@ TEST_F(OwnRules, AllThatIsWrongIsSaidAtOnce) {
   bad = replaced(bad, "rotorub_friction", "rotorub_fricton");
   expect_refused(bad, "rotorub_fricton");
   expect_refused(bad, "1.5 must be between 0 and 1");
-  expect_refused(bad, "at least 21 needed");
+  expect_refused(bad, "set nuserdata=\"21\" or more");
   const std::string pair =
       "<pair geom1=\"disc\" geom2=\"bore\" condim=\"1\" margin=\"5e-6\" gap=\"1\"/>";
   expect_refused(replaced(document(Machine{}), pair, ""),

@@ -56,7 +56,7 @@ TEST_F(NativeTwinTest, SaysWhatItLeavesOut) {
       </body>)"));
   std::string all;
   for (const std::string& limit : swinging.limits) all += limit + "\n";
-  EXPECT_TRUE(contains(all, {"\"a\"> is limited", "\"b\"> loses 0.1"}));
+  EXPECT_TRUE(contains(all, {"\"a\"> is limited", "\"b\"> loses 0.1 N m to friction"}));
   const NativeTwin tilting_far = twin_of(machine(
       R"(<body name="arm" pos="0 0 0.098">
       <joint name="a" type="hinge" axis="0 1 0" stiffness="50"/>
@@ -69,10 +69,25 @@ TEST_F(NativeTwinTest, SaysWhatItLeavesOut) {
       <inertial pos="0 0 0.1" mass="2" diaginertia="1e-3 1e-3 1e-3"/>)" +
                                             kDisc + "</body>"));
   ASSERT_EQ(lifted.limits.size(), 2u);
-  EXPECT_TRUE(contains(lifted.limits[0], "\"lift\"> moves nothing in the contact's plane"));
+  EXPECT_TRUE(
+      contains(lifted.limits[0], "\"lift\"> does not move rotor or ring in the contact's plane"));
   EXPECT_TRUE(contains(lifted.limits[1], "friction along the ring's axis"));
   ASSERT_FALSE(tilting_far.limits.empty());
   EXPECT_TRUE(contains(tilting_far.limits[0], "not small"));
+}
+
+// A free joint has six degrees of freedom and often no name.
+TEST_F(NativeTwinTest, NamesAJointOnceAndByItsBody) {
+  const NativeTwin beside = twin_of(machine(
+      R"(<body name="shaft">
+      <joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/>
+      <inertial pos="0 0 0.1" mass="2" diaginertia="1e-3 1e-3 1e-3"/>)" +
+      kDisc + R"(</body><body name="box" pos="1 0 0"><freejoint/>
+      <geom type="box" size="0.1 0.1 0.1" contype="0" conaffinity="0"/></body>)"));
+  ASSERT_EQ(beside.limits.size(), 1u);
+  EXPECT_EQ(beside.limits[0],
+            "the free joint of <body name=\"box\"> does not move rotor or ring in the contact's "
+            "plane, so it is left out");
 }
 
 TEST_F(NativeTwinTest, RefusesByTheJointsName) {
