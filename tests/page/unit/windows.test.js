@@ -8,7 +8,7 @@ const of = (scene) => windowsOf({end: 1, speed: 20 * Math.PI, ...scene}).map(({n
 
 test('the whole run, from a tenth of a turn before the first touch to a turn after it, and the last two turns', () => {
   assert.deepEqual(of({sides: [{first_touch: 0.5}, {first_touch: 0.4}, {first_touch: null}, {}]}),
-    [['whole run', 0, 1], ['first contact', 0.39, 0.5], ['last turns', 0.8, 1]]);
+    [['whole run', 0, 1], ['first touch', 0.39, 0.5], ['last turns', 0.8, 1]]);
   assert.deepEqual(of({sides: [{first_touch: null}]}), [['whole run', 0, 1], ['last turns', 0.8, 1]], 'without a contact');
   assert.deepEqual(of({speed: 0, sides: []}).at(-1), ['last turns', 0.9, 1], 'a rotor at rest');
   assert.deepEqual(of({speed: -1, sides: []}).at(-1), ['last turns', 0, 1], 'a run shorter than a turn');
