@@ -158,41 +158,47 @@ void append(std::string& bytes, const double* values, std::size_t count) {
 template <class Kind>
 PythonLaw<Kind>::PythonLaw(const std::filesystem::path& file)
     : file_(std::filesystem::absolute(file).lexically_normal()),
-      process_(process_for(file_.string())) {
-  std::string_view word;
-  const std::string failed = failure_of("L" + file_.string(), &word);
-  if (!failed.empty()) throw std::runtime_error(failed);
+      process_(process_for(file_.string())),
+      number_(process_->next_law()) {
+  std::string word;
+  const std::string failed = failure_of('L', file_.string(), &word);
+  if (!failed.empty()) {
+    failure_of('E', "", &word);
+    throw std::runtime_error(failed);
+  }
   if (word == "current") command_ = ROTORUB_CURRENT;
 }
 
 template <class Kind>
 PythonLaw<Kind>::~PythonLaw() {
-  std::string_view nothing;
-  if (!failed_ && failure_of("E", &nothing).empty())
-    keep_process(file_.string(), std::move(process_));
+  std::string nothing;
+  failure_of('E', "", &nothing);
 }
 
 template <class Kind>
-std::string PythonLaw<Kind>::failure_of(std::string_view request, std::string_view* answer) const {
+std::string PythonLaw<Kind>::failure_of(char kind, std::string_view request,
+                                        std::string* answer) const {
+  std::string whole(1, kind);
+  whole.append(reinterpret_cast<const char*>(&number_), sizeof number_);
+  whole += request;
   try {
-    *answer = process_->ask(request);
+    *answer = process_->ask(whole);
   } catch (const std::runtime_error& error) {
-    failed_ = true;
     return error.what();
   }
-  failed_ = answer->empty() || answer->front() != kSucceeded;
-  answer->remove_prefix(std::min<std::size_t>(1, answer->size()));
-  return failed_ ? scene::printable(*answer, kMostReason) : "";
+  const bool good = !answer->empty() && answer->front() == kSucceeded;
+  answer->erase(0, 1);
+  return good ? "" : scene::printable(*answer, kMostReason);
 }
 
 template <class Kind>
 std::string PythonLaw<Kind>::create(const typename Kind::Setup& setup) {
   commands_ = commands_of(setup);
-  const std::string request = R"(C{"setup":)" + dict_of(setup).text() + R"(,"shape":)" +
+  const std::string request = R"({"setup":)" + dict_of(setup).text() + R"(,"shape":)" +
                               shape_of<typename Kind::Measurement>(commands_) + R"(,"commands":)" +
                               std::to_string(commands_) + "}";
-  std::string_view state;
-  std::string failed = failure_of(request, &state);
+  std::string state;
+  std::string failed = failure_of('C', request, &state);
   if (!failed.empty()) return failed;
   start_.resize(state.size() / sizeof(double));
   std::memcpy(start_.data(), state.data(), state.size());
@@ -207,14 +213,13 @@ void PythonLaw<Kind>::start(double* state) const {
 template <class Kind>
 std::string PythonLaw<Kind>::step(const typename Kind::Measurement& now, double* state,
                                   double* told) const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  request_ = "S";
-  each_value(now, commands_, [this](const char*, const double* values, std::size_t count) {
-    append(request_, values, std::max<std::size_t>(count, 1));
+  std::string request;
+  each_value(now, commands_, [&](const char*, const double* values, std::size_t count) {
+    append(request, values, std::max<std::size_t>(count, 1));
   });
-  append(request_, state, start_.size());
-  std::string_view answer;
-  std::string failed = failure_of(request_, &answer);
+  append(request, state, start_.size());
+  std::string answer;
+  std::string failed = failure_of('S', request, &answer);
   if (!failed.empty()) return failed;
   std::memcpy(told, answer.data(), commands_ * sizeof *told);
   std::memcpy(state, answer.data() + commands_ * sizeof *told, start_.size() * sizeof *state);

@@ -1,12 +1,11 @@
 // A user's law in Python: a file with the functions of rotorub/controller.h, run by a Python
-// process of its own (mjcf/docs/own_controller.md).
+// process (mjcf/docs/own_controller.md).
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,18 +36,15 @@ class PythonLaw final : public Law<Kind> {
  private:
   // Asks the process. Returns why the law failed; an empty string if it succeeded, with the rest of
   // the answer.
-  std::string failure_of(std::string_view request, std::string_view* answer) const;
+  std::string failure_of(char kind, std::string_view request, std::string* answer) const;
 
   std::filesystem::path file_;
   std::uint32_t command_ = ROTORUB_FORCE;
   std::size_t commands_ = 2;
   std::vector<double> start_;
 
-  // One law has one process, which several threads use in turn.
-  mutable std::mutex mutex_;
-  std::unique_ptr<PythonProcess> process_;
-  mutable bool failed_ = false;  // the process is not used again
-  mutable std::string request_;  // kept so that a step allocates nothing
+  std::shared_ptr<PythonProcess> process_;
+  std::uint32_t number_;  // of this law in the process
 };
 
 }  // namespace rotorub

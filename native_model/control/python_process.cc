@@ -76,15 +76,17 @@ std::string surroundings_of(const std::string& file) {
   return interpreter() + '\n' + std::filesystem::current_path(unknown).string() + '\n' + file;
 }
 
-// Processes without a law, at most one per processor.
-struct FreeProcesses {
+// All processes, and what each depends on.
+struct Processes {
   std::mutex mutex;
-  std::vector<std::pair<std::string, std::unique_ptr<PythonProcess>>> all;
+  std::vector<std::pair<std::string, std::shared_ptr<PythonProcess>>> all;
 };
-FreeProcesses& free_processes() {
-  static FreeProcesses processes;
-  return processes;
+Processes& processes() {
+  static Processes every;
+  return every;
 }
+
+std::size_t most_processes() { return 4 * std::max(1u, std::thread::hardware_concurrency()); }
 
 }  // namespace
 
@@ -151,36 +153,49 @@ void PythonProcess::receive(char* to, std::size_t count) {
   }
 }
 
-std::unique_ptr<PythonProcess> process_for(const std::string& file) {
-  FreeProcesses& free = free_processes();
-  const std::lock_guard<std::mutex> lock(free.mutex);
-  const std::string wanted = surroundings_of(file);
-  const auto found = std::find_if(free.all.begin(), free.all.end(),
-                                  [&](const auto& entry) { return entry.first == wanted; });
-  if (found == free.all.end()) return std::make_unique<PythonProcess>();
-  std::unique_ptr<PythonProcess> process = std::move(found->second);
-  free.all.erase(found);
-  return process;
-}
-
-void keep_process(const std::string& file, std::unique_ptr<PythonProcess> process) {
-  FreeProcesses& free = free_processes();
-  const std::lock_guard<std::mutex> lock(free.mutex);
-  free.all.emplace_back(surroundings_of(file), std::move(process));
-  if (free.all.size() > std::max(1u, std::thread::hardware_concurrency()))
-    free.all.erase(free.all.begin());
-}
-
-std::string_view PythonProcess::ask(std::string_view request) {
+std::string PythonProcess::ask(std::string_view request) {
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (pid_ < 0) throw std::runtime_error("its Python process has ended");
   auto length = static_cast<std::uint32_t>(request.size());
-  message_.assign(reinterpret_cast<const char*>(&length), sizeof length);
-  message_ += request;
-  send(message_);
+  std::string message(reinterpret_cast<const char*>(&length), sizeof length);
+  message += request;
+  send(message);
   receive(reinterpret_cast<char*>(&length), sizeof length);
-  message_.resize(length);
-  receive(message_.data(), length);
-  return message_;
+  message.resize(length);
+  receive(message.data(), length);
+  return message;
+}
+
+std::uint32_t PythonProcess::next_law() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return laws_++;
+}
+
+bool PythonProcess::has_ended() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return pid_ < 0;
+}
+
+std::shared_ptr<PythonProcess> process_for(const std::string& file) {
+  Processes& known = processes();
+  const std::lock_guard<std::mutex> lock(known.mutex);
+  auto& all = known.all;
+  std::erase_if(all, [](const auto& entry) { return entry.second->has_ended(); });
+  // The list itself is one owner; each law is another.
+  const auto is_free = [](const auto& entry) { return entry.second.use_count() == 1; };
+  const std::string wanted = surroundings_of(file);
+  auto best = all.end();
+  for (auto entry = all.begin(); entry != all.end(); ++entry) {
+    if (entry->first != wanted) continue;
+    if (best == all.end() || entry->second.use_count() < best->second.use_count()) best = entry;
+  }
+  const bool full = all.size() >= most_processes();
+  if (best != all.end() && (is_free(*best) || full)) return best->second;
+  if (full) {
+    const auto unused = std::find_if(all.begin(), all.end(), is_free);
+    if (unused != all.end()) all.erase(unused);
+  }
+  return all.emplace_back(wanted, std::make_shared<PythonProcess>()).second;
 }
 
 }  // namespace rotorub

@@ -1,10 +1,11 @@
-// Python interpreters as child processes, each of which runs one user's law at a time
-// (python_runner.h).
+// Python interpreters as child processes, which run users' laws (python_runner.h).
 #pragma once
 
 #include <sys/types.h>
 
+#include <cstdint>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 
@@ -20,24 +21,27 @@ class PythonProcess {
   PythonProcess(const PythonProcess&) = delete;
   PythonProcess& operator=(const PythonProcess&) = delete;
 
-  // Sends one request and returns the answer, which stays valid until the next call. Throws
-  // std::runtime_error if the interpreter has ended.
-  std::string_view ask(std::string_view request);
+  // Sends one request and returns the answer. Several threads may ask. Throws std::runtime_error if
+  // the interpreter has ended.
+  std::string ask(std::string_view request);
+  // The number of a law that is new to this process.
+  std::uint32_t next_law();
+  bool has_ended() const;
 
  private:
   void send(std::string_view bytes) const;
   void receive(char* to, std::size_t count);
   std::string how_it_ended();
 
+  mutable std::mutex mutex_;
   pid_t pid_ = -1;
   int socket_ = -1;
-  std::string message_;  // kept so that a step allocates nothing
+  std::uint32_t laws_ = 0;
 };
 
-// A process that has run the law of this file before and is free, or else a new one. A sweep thus
-// starts Python, and imports what the law imports, once per thread. Throws as the constructor does.
-std::unique_ptr<PythonProcess> process_for(const std::string& file);
-// Keeps a process, whose law has ended, for the next law of the file.
-void keep_process(const std::string& file, std::unique_ptr<PythonProcess> process);
+// The process for one more law of this file. Processes stay for later laws, so that a sweep starts
+// Python, and imports what the law imports, once per thread. Laws share a process only when there
+// are many of them at a time. Throws as the constructor does.
+std::shared_ptr<PythonProcess> process_for(const std::string& file);
 
 }  // namespace rotorub

@@ -7,9 +7,14 @@ std::string_view python_runner() {
 import os, signal, struct, sys, _thread
 
 CONNECTION = int(sys.argv[1])
-FILE = "the law"
-module = law = begun = commands = None
-shape, length, state_size = [], 0, 0
+laws = {}  # by number
+
+
+class Law:
+    file = "the law"
+    module = law = None
+    begun = False
+    shape, length, commands, state_size = [], 0, 0, 0
 
 
 def end_with_the_program():
@@ -38,10 +43,10 @@ def send(answer):
         answer = answer[os.write(CONNECTION, answer):]
 
 
-def function(name, arguments):
-    found = getattr(module, name, None)
+def function(of, name, arguments):
+    found = getattr(of.module, name, None)
     if not callable(found):
-        raise AttributeError(f"{FILE} has no function {name}({arguments})")
+        raise AttributeError(f"{of.file} has no function {name}({arguments})")
     return found
 
 
@@ -52,77 +57,74 @@ def forget_modules_in(folder):
             del sys.modules[name]
 
 
-def load(path):
-    global module, FILE
-    if FILE != path:
-        sys.path[:1] = [os.path.dirname(path)] + [folder for folder in sys.path[:1] if folder]
-    FILE = path
-    forget_modules_in(os.path.join(os.path.dirname(path), ""))
+def load(of, path):
+    folder = os.path.dirname(path)
+    if sys.path[:1] != [folder]:
+        sys.path[:1] = [folder] + [other for other in sys.path[:1] if other]
+    forget_modules_in(os.path.join(folder, ""))
     sys.argv = [path]
-    module = sys.modules["rotorub_law"] = type(sys)("rotorub_law")
+    of.file = path
+    module = of.module = sys.modules["rotorub_law"] = type(sys)("rotorub_law")
     module.__file__ = path
     with open(path, "rb") as file:
         text = file.read()
     exec(compile(text, path, "exec"), module.__dict__)
-    function("create", "setup")
-    function("step", "law, now, state")
+    function(of, "create", "setup")
+    function(of, "step", "law, now, state")
     command = getattr(module, "command", "force")
     if command not in ("force", "current"):
         raise ValueError(f'{path}: command is {command!r}; choose from "force", "current"')
     return command.encode()
 
 
-def create(setup, shape_of_now, commands_of_step):
-    global law, begun, shape, length, commands, state_size
-    commands = commands_of_step
-    shape, length = [], 0
-    for name, count in shape_of_now:
+def create(of, setup, shape, commands):
+    of.commands = commands
+    of.shape, of.length = [], 0
+    for name, count in shape:
         numbers = count if isinstance(count, int) else 1
-        shape.append((name, count, length, length + numbers))
-        length += numbers
-    law = module.create(setup)
-    begun = True
-    state_size = int(module.state_size(law)) if hasattr(module, "state_size") else 0
-    if state_size < 0:
-        raise ValueError(f"state_size() returns {state_size}; return 0 or more")
-    state = bytearray(8 * state_size)
-    if hasattr(module, "start"):
+        of.shape.append((name, count, of.length, of.length + numbers))
+        of.length += numbers
+    of.law = of.module.create(setup)
+    of.begun = True
+    of.state_size = int(of.module.state_size(of.law)) if hasattr(of.module, "state_size") else 0
+    if of.state_size < 0:
+        raise ValueError(f"state_size() returns {of.state_size}; return 0 or more")
+    state = bytearray(8 * of.state_size)
+    if hasattr(of.module, "start"):
         with memoryview(state).cast("d") as view:
-            module.start(law, view)
+            of.module.start(of.law, view)
     return bytes(state)
 
 
-def end():
-    global module, law, begun
-    if begun and hasattr(module, "destroy"):
-        module.destroy(law)
-    module = law = begun = None
-    return b""
-
-
-def step(request, now):
-    values = struct.unpack_from(f"={length}d", request, 1)
-    for name, count, first, last in shape:
+def step(of, values, now):
+    numbers = struct.unpack_from(f"={of.length}d", values)
+    for name, count, first, last in of.shape:
         if count == "float":
-            now[name] = values[first]
+            now[name] = numbers[first]
         elif count == "int":
-            now[name] = int(values[first])
+            now[name] = int(numbers[first])
         else:
-            now[name] = values[first:last]
-    state = bytearray(request[1 + 8 * length:])
+            now[name] = numbers[first:last]
+    state = bytearray(values[8 * of.length:])
     with memoryview(state).cast("d") as view:
-        told = module.step(law, now, view)
+        told = of.module.step(of.law, now, view)
     try:
         told = [float(value) for value in told]
     except TypeError:
-        raise TypeError(f"step() returns {type(told).__name__}; return {expected()}") from None
-    if len(told) != commands:
-        raise TypeError(f"step() returns {len(told)} numbers; return {expected()}")
-    return struct.pack(f"={commands}d", *told) + state
+        raise TypeError(f"step() returns {type(told).__name__}; return {expected(of)}") from None
+    if len(told) != of.commands:
+        raise TypeError(f"step() returns {len(told)} numbers; return {expected(of)}")
+    return struct.pack(f"={of.commands}d", *told) + state
 
 
-def expected():
-    return "two numbers, ux and uy" if commands == 2 else f"{commands} numbers, one current for each port"
+def end(of):
+    if of.begun and hasattr(of.module, "destroy"):
+        of.module.destroy(of.law)
+    return b""
+
+
+def expected(of):
+    return "two numbers, ux and uy" if of.commands == 2 else f"{of.commands} numbers, one current for each port"
 
 
 def words_of(error, given, name):
@@ -150,19 +152,21 @@ def words_of(error, given, name):
 
 
 def answer_to(request):
-    kind, given, name = request[:1], None, ""
+    kind, number, rest = request[:1], request[1:5], request[5:]
+    given, name = None, ""
     try:
         if kind == b"S":
             given, name = {}, "now"
-            return b"\0" + step(request, given)
+            return b"\0" + step(laws[number], rest, given)
         if kind == b"E":
-            return b"\0" + end()
+            return b"\0" + end(laws.pop(number))
         if kind == b"L":
-            return b"\0" + load(os.fsdecode(request[1:]))
+            laws[number] = Law()
+            return b"\0" + load(laws[number], os.fsdecode(rest))
         import json
-        asked = json.loads(request[1:].decode("utf-8", "surrogateescape"))
+        asked = json.loads(rest.decode("utf-8", "surrogateescape"))
         given, name = asked["setup"], "setup"
-        return b"\0" + create(given, asked["shape"], asked["commands"])
+        return b"\0" + create(laws[number], given, asked["shape"], asked["commands"])
     except BaseException as error:
         return b"\1" + words_of(error, given, name).encode("utf-8", "backslashreplace")
 

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -127,6 +129,24 @@ TEST_F(PythonLawTest, EveryRunBeginsAlikeInTheSameProcess) {
   std::string said;
   std::getline(ended, said);
   EXPECT_EQ(said, "11.0 11.0 21.0 ");
+}
+
+// As in a comparison of many settings, whose models live to its end.
+TEST_F(PythonLawTest, ManyLawsAtATimeShareProcesses) {
+  const std::string text = "import os\ndef create(setup):\n    return setup['config']['gain']\n" +
+                           kStep + "return law, float(os.getpid())\n";
+  const std::size_t processors = std::max(1u, std::thread::hardware_concurrency());
+  std::vector<Model> models;
+  for (std::size_t k = 0; k < 8 * processors; ++k)
+    models.push_back(prepare(law(text, "gain = " + std::to_string(k) + "\n")));
+  std::set<double> processes;
+  for (std::size_t k = 0; k < models.size(); ++k) {
+    const Eigen::Vector2d u = models[k].first().controller->command({}, {}, nullptr);
+    EXPECT_EQ(u.x(), static_cast<double>(k));
+    processes.insert(u.y());
+  }
+  EXPECT_GE(processes.size(), processors);
+  EXPECT_LE(processes.size(), 4 * processors);
 }
 
 TEST_F(PythonLawTest, OneLawServesSeveralThreads) {
