@@ -1,6 +1,7 @@
 # The native model for pages ("what if", compare/report/live): `cmake --build build --target rotorub_live` makes
 # lib/rotorub_native.wasm.gz with Debian's emscripten, beside which the program looks for it. No part of `all`: without
-# it pages have no sliders. What is installed and packed has it where it has been built.
+# it pages have no sliders. The target `deb` builds and packs it where emscripten is installed (RotorubDeb);
+# `cmake --install` takes it where it has been built.
 
 set(ROTORUB_LIVE_MODULE "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/rotorub_native.wasm.gz")
 set(live "${PROJECT_BINARY_DIR}/live")

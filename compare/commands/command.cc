@@ -25,13 +25,14 @@ namespace rotorub {
 
 namespace {
 
-// Says why the file of --controller is not a library; empty if it may be one. Newcomers often give
-// the source of a library.
+// Says why the file of --controller is neither a library nor a file of Python; empty if it may be
+// one. Newcomers often give the source of a library.
 std::string no_library(const std::string& file) {
   std::error_code none;
   if (!std::filesystem::exists(file, none)) return scene::printable(file) + ": no such file";
   if (std::filesystem::is_directory(file, none))
-    return scene::printable(file) + " is a folder; give a shared library (.so)";
+    return scene::printable(file) +
+           " is a folder; give a shared library (.so) or a Python file (.py)";
   const std::string suffix = std::filesystem::path(file).extension().string();
   const std::string library = std::filesystem::path(file).stem().string() + ".so";
   if (suffix == ".c" || suffix == ".cc" || suffix == ".cpp") {
@@ -40,12 +41,7 @@ std::string no_library(const std::string& file) {
         "{}",
         file, suffix == ".c" ? "cc" : "c++", file, library, library);
   }
-  if (suffix != ".py") return "";
-  return fmt::format(
-      "{} is a Python file; give a shared library (.so). The example python_controller.c builds "
-      "one "
-      "that calls a law in Python",
-      file);
+  return "";
 }
 
 }  // namespace
@@ -69,8 +65,10 @@ void add_run_options(CLI::App& command, CommonOptions& options) {
 }
 
 void add_controller_option(CLI::App& command, CommonOptions& options) {
-  add_value(command, "--controller", options.controller, "FILE.so",
-            "Shared library with your own controller, which replaces the scene's")
+  add_value(
+      command, "--controller", options.controller, "FILE",
+      "Shared library (.so) or Python file (.py) with your own controller, which replaces the "
+      "scene's")
       .check(no_library)
       .each([](const std::string& file) { allow_library(std::filesystem::absolute(file)); });
   add_allow_library_option(command, options);

@@ -21,6 +21,7 @@ namespace {
 
 struct FmuArguments : CommonOptions {
   std::string scene, file, version = "3.0";
+  bool modal = false;
 };
 
 // The shared library with the plant and its FMI functions.
@@ -33,8 +34,8 @@ std::string binary() {
 }
 
 std::vector<fmi::ArchiveFile> files_of(const scene::Scene& scene, const StepwiseRun& run,
-                                       fmi::Version version) {
-  return {{"modelDescription.xml", model_description(scene, run, version)},
+                                       fmi::Version version, bool modal) {
+  return {{"modelDescription.xml", model_description(scene, run, version, modal)},
           {std::string("resources/") + fmi::kSceneFile, scene.text},
           {fmi::binary_path(scene, version), binary()}};
 }
@@ -48,6 +49,19 @@ result::Table ports_table(const std::string& place, const std::vector<StepwiseRu
   return table;
 }
 
+// JSON alone.
+result::Table parameters_table(const std::vector<scene::Adjustable>& parameters) {
+  result::Table table{.place = "parameters/#/{column}",
+                      .columns = {{"name"}, {"unit"}, {"start"}, {"meaning"}},
+                      .seen = result::kJson};
+  for (const scene::Adjustable& number : parameters)
+    table.rows.push_back({.items = {{number.name()},
+                                    {std::string(number.key->quantity.unit)},
+                                    {number.value},
+                                    {std::string(number.key->meaning)}}});
+  return table;
+}
+
 int write_fmu(const FmuArguments& options) {
   const scene::Scene scene = read_scene(options.scene, options);
   const std::filesystem::path file = options.file.empty() ? scene.name + ".fmu" : options.file;
@@ -55,21 +69,24 @@ int write_fmu(const FmuArguments& options) {
   check_output_file(file);
   const StepwiseRun run(scene);
   const fmi::Version version = options.version == "2.0" ? fmi::Version::k2 : fmi::Version::k3;
-  write_whole(file, fmi::archive(files_of(scene, run, version)));
+  write_whole(file, fmi::archive(files_of(scene, run, version, options.modal)));
+  const std::vector<StepwiseRun::Port> outputs = fmi::outputs_of(run, options.modal);
+  const std::vector<scene::Adjustable> parameters = fmi::parameters_of(scene);
   std::string inputs;
   for (const StepwiseRun::Port& port : run.inputs())
     inputs += fmt::format("{}{} ({})", inputs.empty() ? "" : ", ", port.name, port.unit);
   const result::Section result{
-      .parts = {result::Data{"",
-                             {{"scene", scene.name},
-                              {"scene_hash", scene::scene_hash(scene)},
-                              {"file", file.string()},
-                              {"fmi_version", options.version}}},
-                ports_table("inputs/#/{column}", run.inputs()),
-                ports_table("outputs/#/{column}", run.outputs()),
-                result::line(fmt::format("FMI {}, co-simulation; {} outputs; inputs: {}",
-                                         options.version, run.outputs().size(), inputs)),
-                written_to(file)}};
+      .parts = {
+          result::Data{"",
+                       {{"scene", scene.name},
+                        {"scene_hash", scene::scene_hash(scene)},
+                        {"file", file.string()},
+                        {"fmi_version", options.version}}},
+          ports_table("inputs/#/{column}", run.inputs()),
+          ports_table("outputs/#/{column}", outputs), parameters_table(parameters),
+          result::line(fmt::format("FMI {}, co-simulation; {} outputs; {} parameters; inputs: {}",
+                                   options.version, outputs.size(), parameters.size(), inputs)),
+          written_to(file)}};
   return finish(result, options);
 }
 
@@ -85,6 +102,8 @@ Command add_fmu_command(CLI::App& program) {
   add_option(app, "--fmi", options->version, "Version of the interface, 3.0 or 2.0")
       .one_of({"3.0", "2.0"})
       .shows_default();
+  add_flag(app, "--modal", options->modal,
+           "Show the coordinates of the rotor's modes as outputs too");
   add_common_options(app, *options);
   return {&app, [options] { return write_fmu(*options); }};
 }

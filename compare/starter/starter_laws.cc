@@ -6,7 +6,6 @@ namespace rotorub {
 std::string_view follow_c();
 std::string_view follow_cc();
 std::string_view follow_law_py();
-std::string_view python_controller_c();
 std::string_view controller_h();
 
 std::vector<StarterFile> starter_laws(std::string_view scene) {
@@ -14,7 +13,6 @@ std::vector<StarterFile> starter_laws(std::string_view scene) {
   std::vector<StarterFile> files{{"follow.c", std::string(follow_c())},
                                  {"follow.cc", std::string(follow_cc())},
                                  {"follow_law.py", std::string(follow_law_py())},
-                                 {"python_controller.c", std::string(python_controller_c())},
                                  {"rotorub/controller.h", std::string(controller_h())}};
   for (StarterFile& file : files) {
     const std::size_t at = file.text.find(kScene);

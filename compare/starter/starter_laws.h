@@ -13,9 +13,8 @@ struct StarterFile {
   std::string text;
 };
 
-// The same law in three languages, each with the commands to build and run it from its folder; the
-// header that it needs, and the program that calls the Python version. scene: name of the file
-// beside the folder.
+// The same law in three languages, each with the commands to build and run it from its folder, and
+// the header that C and C++ need. scene: name of the file beside the folder.
 std::vector<StarterFile> starter_laws(std::string_view scene);
 
 }  // namespace rotorub

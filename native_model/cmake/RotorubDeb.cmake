@@ -18,8 +18,8 @@ set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
 # What the program and the plugin are linked with, by dpkg-shlibdeps (dpkg-dev, file).
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS libosmesa6)  # what it loads itself (renders/stage.cc)
-# Films are coded by ffmpeg; find_package(rotorub) needs Eigen and MuJoCo.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "ffmpeg, libeigen3-dev, libmujoco-dev, libgl-dev")
+# Films are coded by ffmpeg; laws in Python need its interpreter; find_package(rotorub) needs Eigen and MuJoCo.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "ffmpeg, python3, libeigen3-dev, libmujoco-dev, libgl-dev")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, bash-completion, libmujoco-samples")
 set(CPACK_OUTPUT_FILE_PREFIX "${PROJECT_BINARY_DIR}/package")
 include(CPack)
@@ -27,6 +27,12 @@ include(CPack)
 set(parts rotorub rotorub_mujoco rotorub_fmu rotorub_manual rotorub_native_model rotorub_mjcf rotorub_plugin)
 if(TARGET rotorub_native)
   list(APPEND parts rotorub_native)
+endif()
+# The native model for pages, with which a page reruns its scene.
+if(ROTORUB_EMCMAKE)
+  list(APPEND parts rotorub_live)
+else()
+  message(STATUS "pages of the Debian package have no sliders: emscripten is not installed")
 endif()
 add_custom_target(
   deb

@@ -13,9 +13,8 @@ constexpr std::size_t kLargestState = 1 << 20;  // doubles
 LibraryController::LibraryController(const scene::Scene& scene, std::size_t bearing,
                                      const Plant& plant)
     : law_(scene, scene::place_of(scene, "controller", bearing),
-           scene.auxiliary[bearing].controller->library, ROTORUB_CONTROLLER_SYMBOL,
-           ROTORUB_CONTROLLER_ABI) {
-  if (law_.functions().command > ROTORUB_CURRENT)
+           scene.auxiliary[bearing].controller->library) {
+  if (law_.command() > ROTORUB_CURRENT)
     law_.refuse("commands neither ROTORUB_FORCE nor ROTORUB_CURRENT");
   if (commands_currents() && plant.current_limit <= 0.0) {
     law_.refuse("commands currents; set [actuator] kind = \"electromagnet\" or \"table\"");
@@ -36,9 +35,7 @@ LibraryController::LibraryController(const scene::Scene& scene, std::size_t bear
   law_.create(setup, c.config, kLargestState);
 }
 
-bool LibraryController::commands_currents() const {
-  return law_.functions().command == ROTORUB_CURRENT;
-}
+bool LibraryController::commands_currents() const { return law_.command() == ROTORUB_CURRENT; }
 
 Eigen::Vector2d LibraryController::command(const Measurement& now, const SwitchOn&,
                                            double* state) const {

@@ -1,4 +1,4 @@
-// A user's controller from a shared library (rotorub/controller.h).
+// A user's controller from a file: a shared library (rotorub/controller.h), or a file of Python.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ class LibraryController final : public Controller {
   bool commands_currents() const override;
 
  private:
-  LibraryLaw<rotorub_controller> law_;
+  LibraryLaw<RingLaw> law_;
 };
 
 // Stands in for a library that is not opened; its command is 0. An MJCF reserves this much space

@@ -1,14 +1,11 @@
 #include "native_model/control/library_file.h"
 
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <mutex>
 
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/record.h"
-#include "native_model/scene/text.h"
 
 namespace rotorub {
 namespace {
@@ -132,28 +129,6 @@ std::vector<NamedLibrary> libraries_of(const scene::Scene& scene) {
     all.push_back({"magnetic_control.library", scene.magnetic_control->library});
   }
   return all;
-}
-
-std::shared_ptr<void> opened_library(const scene::Scene& scene, const NamedLibrary& library,
-                                     const fs::path& path) {
-  void* const handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (handle == nullptr) {
-    const char* why = dlerror();
-    scene::refuse_at(scene, library.key,
-                     printable_reason(why != nullptr ? why : "cannot be loaded"));
-  }
-  return {handle, [](void* h) { dlclose(h); }};
-}
-
-void* symbol_of(void* library, const char* name) { return dlsym(library, name); }
-
-std::string library_reason(const char* reason) {
-  const std::string text(reason, std::find(reason, reason + kReasonRoom, '\0'));
-  return text.empty() ? "no reason given" : printable_reason(text);
-}
-
-std::string printable_reason(const std::string& text) {
-  return scene::printable(text, kReasonRoom);
 }
 
 }  // namespace rotorub

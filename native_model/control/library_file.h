@@ -1,10 +1,8 @@
-// Users' shared libraries that a scene names: where they may come from, and how they are opened.
+// The files of users' laws that a scene names (shared libraries and Python): where they may come
+// from, and which may be opened.
 #pragma once
 
-#include <array>
-#include <exception>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -39,30 +37,5 @@ std::vector<NamedLibrary> libraries_of(const scene::Scene& scene);
 // folders of look_for_controllers_in() and of that variable, and an absolute path is allowed if the
 // variable is set. Throws scene::SceneError if the library is not found or not allowed.
 std::filesystem::path library_path(const scene::Scene& scene, const NamedLibrary& library);
-
-// Stays open until the last owner is gone. Throws scene::SceneError.
-std::shared_ptr<void> opened_library(const scene::Scene& scene, const NamedLibrary& library,
-                                     const std::filesystem::path& path);
-// Null if the library has no such symbol.
-void* symbol_of(void* library, const char* name);
-
-inline constexpr std::size_t kReasonRoom = 512;  // bytes
-// The library's message as printable text; it need not end with 0.
-std::string library_reason(const char* reason);
-std::string printable_reason(const std::string& text);
-
-// Calls `action` of the library. Returns an empty string if it succeeds (returns 0), otherwise its
-// reason; an exception counts as a failure.
-template <typename Action>
-std::string failure_of(Action action) {
-  std::array<char, kReasonRoom> reason{};
-  try {
-    return action(reason.data()) == 0 ? "" : library_reason(reason.data());
-  } catch (const std::exception& error) {
-    return printable_reason(error.what());
-  } catch (...) {
-    return "it threw something that is not a std::exception";
-  }
-}
 
 }  // namespace rotorub

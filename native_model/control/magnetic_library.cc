@@ -25,8 +25,7 @@ MagneticLibrary::MagneticLibrary(const scene::Scene& scene, std::span<const std:
     : ports_(2 * bearings.size()) {
   if (libraries_left_out()) return;
   const scene::SharedControl& control = *scene.magnetic_control;
-  law_.emplace(scene, "magnetic_control", control.library, ROTORUB_MAGNETIC_CONTROLLER_SYMBOL,
-               static_cast<std::uint32_t>(ROTORUB_MAGNETIC_CONTROLLER_ABI));
+  law_.emplace(scene, "magnetic_control", control.library);
   std::vector<rotorub_magnetic_bearing> all;
   for (const std::size_t k : bearings) all.push_back(shown(scene.magnetic_bearings[k]));
   rotorub_magnetic_setup setup{};

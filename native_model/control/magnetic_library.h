@@ -1,5 +1,5 @@
 // One user's law for the currents of several magnetic bearings, from a shared library
-// (rotorub/controller.h: rotorub_magnetic_controller).
+// (rotorub/controller.h: rotorub_magnetic_controller) or a file of Python.
 #pragma once
 
 #include <memory>
@@ -37,7 +37,7 @@ class MagneticLibrary {
  private:
   std::size_t ports_;
   std::shared_ptr<const std::vector<double>> told_;
-  std::optional<LibraryLaw<rotorub_magnetic_controller>> law_;
+  std::optional<LibraryLaw<MagneticLaw>> law_;
 };
 
 }  // namespace rotorub

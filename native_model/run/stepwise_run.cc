@@ -119,7 +119,8 @@ void StepwiseRun::find_outputs() {
     const bool mode = means.name == "mode";
     outputs_.push_back(
         {column.name, column.unit,
-         mode ? "of the contact: 0 free, 1 slide, 2 stick" : std::string(means.meaning), mode});
+         mode ? "of the contact: 0 free, 1 slide, 2 stick" : std::string(means.meaning), mode,
+         is_modal(means)});
   }
   for (const StationFeedback& bearing : model_.feedbacks) {
     for (const char* axis : {"x", "y"})

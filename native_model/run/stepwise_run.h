@@ -26,6 +26,7 @@ class StepwiseRun {
   struct Port {
     std::string name, unit, meaning;
     bool whole = false;  // whether its values are whole numbers
+    bool modal = false;  // whether it is a coordinate of one mode of the rotor
   };
   // The inputs are the command of each ring that has no controller, a passive one without stiffness
   // and damping, or a library, which is not opened; the currents of magnetic bearings whose control

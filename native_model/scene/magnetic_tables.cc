@@ -115,7 +115,8 @@ Table magnetic_control() {
        key<&SharedControl::matrices, &ControlMatrices::feedthrough>(
            "feedthrough", kCurrentPerLength, "", kRequired, "D, p times p", {"matrices"}),
        key<&SharedControl::library>("library", kPure, "", kRequired,
-                                    "shared library, beside the scene or absolute", {"library"})}};
+                                    "shared library or Python file, beside the scene or absolute",
+                                    {"library"})}};
 }
 
 Table magnetic_config() {

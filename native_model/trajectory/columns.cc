@@ -250,6 +250,10 @@ std::pair<std::size_t, std::string_view> contact_of_column(std::string_view name
   return {number - 1, rest.substr(digits + 1)};
 }
 
+bool is_modal(const ColumnMeaning& column) {
+  return column.name.ends_with("_<n>") && column.name != "current_<n>";
+}
+
 const ColumnMeaning& series_column(std::string_view full_name) {
   const std::string_view name = contact_of_column(full_name).second;
   const ColumnMeaning* own = nullptr;

@@ -36,6 +36,8 @@ std::pair<std::size_t, std::string_view> contact_of_column(std::string_view name
 // Meaning of a column of a series by the name in its header ("x_2"). A name that matches no row of
 // the table is an output of a controller's law.
 const ColumnMeaning& series_column(std::string_view name);
+// Whether the column is a coordinate of one mode, of bending or torsion, or its rate.
+bool is_modal(const ColumnMeaning& column);
 
 // State of one contact at one instant.
 struct ContactSnapshot {

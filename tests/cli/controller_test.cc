@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "tests/cli/program.h"
 
@@ -77,6 +78,89 @@ TEST(CliController, AGainIsVariedInASweepAndAnOptimisation) {
                   .at("best")
                   .at("values")
                   .contains("controller.config.stiffness"));
+}
+
+// The number in the last row of a column.
+double last_number(const std::string& csv, const std::string& column) {
+  std::istringstream rows(csv);
+  std::string row, name, number;
+  std::getline(rows, row);
+  std::istringstream names(row);
+  while (std::getline(rows, name)) row = name;
+  std::istringstream numbers(row);
+  while (std::getline(names, name, ',') && std::getline(numbers, number, ',')) {
+    if (name == column) return std::stod(number);
+  }
+  ADD_FAILURE() << "no column " << column;
+  return 0.0;
+}
+
+// A law that is a file of Python.
+class CliPythonLaw : public testing::Test {
+ protected:
+  std::vector<std::string> with_law(const std::vector<std::string>& call) const {
+    return with(call, {"--controller", "law.py", "--set", "controller.sample_time=50us", "--set",
+                       "controller.on=0", "--set", "rotor.modes=2"});
+  }
+  void write(const std::string& step) {
+    folder_.write("law.py",
+                  "def create(setup):\n    return setup['config']\n"
+                  "def step(law, now, state):\n    " +
+                      step + "\n");
+  }
+
+  Folder folder_;
+};
+
+TEST_F(CliPythonLaw, RunsInBothEngines) {
+  write("return law['gain'] * 0.5, -3.0");
+  for (const char* engine : {"native", "mujoco"}) {
+    folder_.done(with_law({"run", shipped("paper_sliding"), "--engine", engine, "--end", "5 ms",
+                           "--set", "controller.config.gain=4", "-q", "-o", engine}));
+    const std::string series = folder_.text(std::string(engine) + "/series.csv");
+    EXPECT_NEAR(last_number(series, "control_x"), 2.0, 1e-9) << engine;
+    EXPECT_NEAR(last_number(series, "control_y"), -3.0, 1e-9) << engine;
+  }
+}
+
+TEST_F(CliPythonLaw, IsComparedAndSwept) {
+  write("return law['gain'] * (now['rotor'][0] - now['stator'][0]), 0.0");
+  const Outcome compared = folder_.run(with_law(
+      {"compare", shipped("paper_sliding"), "--end", "5 ms", "--twins", "0", "--no-video",
+       "--no-modes-ladder", "-q", "-o", "compared", "--set", "controller.config.gain=1e5"}));
+  EXPECT_LE(compared.code, 1) << compared.err;
+  folder_.write("study.toml", "scene = \"" + shipped("paper_sliding") +
+                                  "\"\n[[vary]]\nkey = \"controller.config.gain\"\nfrom = 1e4\nto "
+                                  "= 2e5\ncount = 4\n[sample]\nkind = \"grid\"\n");
+  folder_.done(with_law({"sweep", "study.toml", "-o", "map", "--set", "run.end=5ms", "-q"}));
+  EXPECT_TRUE(contains(folder_.text("map/results.csv"), {"\n0,10000,ok", "\n3,200000,ok"}));
+}
+
+TEST_F(CliPythonLaw, AnExceptionIsExit3WithItsTraceback) {
+  write("return (1.0 / (8 - now['sample'])), 0.0");
+  for (const char* engine : {"native", "mujoco"}) {
+    const Outcome done = folder_.run(with_law({"run", shipped("paper_sliding"), "--engine", engine,
+                                               "--end", "5 ms", "--json", "-o", "out"}));
+    EXPECT_EQ(done.code, 3) << done.err;
+    EXPECT_TRUE(
+        contains(done.err, {"controller_failed", "ZeroDivisionError", "in step (", "law.py:4)"}));
+    EXPECT_EQ(json::parse(done.out).at("status"), "controller_failed");
+  }
+}
+
+TEST_F(CliPythonLaw, AMistakeInTheFileIsExit2) {
+  write("return 1.0 +");
+  folder_.refuses(with_law({"run", shipped("paper_sliding")}),
+                  {"controller.library", "SyntaxError", "law.py:4)"});
+}
+
+// What a law prints is for its author; standard output is for the results.
+TEST_F(CliPythonLaw, PrintsToStandardError) {
+  write("print('sample', now['sample']); return 0.0, 0.0");
+  const Outcome done = folder_.done(
+      with_law({"run", shipped("paper_sliding"), "--end", "1 ms", "--json", "-o", "out"}));
+  EXPECT_TRUE(json::accept(done.out)) << done.out;
+  EXPECT_TRUE(contains(done.err, "sample 7"));
 }
 
 TEST(CliController, WhatCannotBeLoadedIsExit2) {

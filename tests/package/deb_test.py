@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import unittest
 
-from product import BUILD, InAFolder
+from product import BUILD, NIGHTLY, InAFolder
 
 EXPECTED = """
 usr/bin/rotorub
@@ -27,7 +27,6 @@ usr/lib/python3/dist-packages/rotorub_native.so
 usr/share/rotorub/matlab/rotorub_read.m
 usr/share/rotorub/mjcf/examples/own_controller.toml
 usr/share/rotorub/native_model/control/examples/own_controller.c
-usr/share/rotorub/native_model/control/examples/python_controller.c
 usr/share/rotorub/native_model/control/examples/tracking_law.py
 usr/share/doc/rotorub/README.md
 usr/share/doc/rotorub/native_model/docs/theory.md
@@ -64,12 +63,16 @@ class DebianPackage(InAFolder):
             self.assertIn(library, depends)
         for other in ("-dev", "siconos", "libode"):  # what is for building, and the peers of `rotorub bench`
             self.assertNotIn(other, depends)
-        self.assertIn("ffmpeg", self.tool("dpkg-deb", "-f", package, "Recommends"))
+        recommended = self.tool("dpkg-deb", "-f", package, "Recommends")
+        for other in ("ffmpeg", "python3"):
+            self.assertIn(other, recommended)
 
         self.tool("dpkg", "-x", package, "root")
         root = self.folder / "root"
         files = {str(file.relative_to(root)) for file in root.rglob("*") if not file.is_dir()}
         self.assertEqual([file for file in EXPECTED if file not in files], [])
+        if NIGHTLY:  # Page.NativeModuleIsBuilt has built it
+            self.assertIn("usr/lib/rotorub_native.wasm.gz", files)
         # Nothing of the tests, and nothing that leads back to where it was built.
         self.assertEqual([file for file in files if "gtest" in file or "/tests/" in file], [])
         for file in files:
@@ -85,6 +88,12 @@ class DebianPackage(InAFolder):
         program = root / "usr/bin/rotorub"
         self.rotorub("init", "there", program=program)
         self.rotorub("run", "there.toml", "-q", "-o", "out", program=program)
+        self.rotorub("plot", "out", "-q", program=program)
+        self.assertEqual('<script id="native-module"' in (self.folder / "out/plot.html").read_text(),
+                         "usr/lib/rotorub_native.wasm.gz" in files)
+        examples = root / "usr/share/rotorub"
+        self.rotorub("run", examples / "mjcf/examples/own_controller.toml", "-q", "--end", "120ms", "-o", "law", "--controller",
+                     examples / "native_model/control/examples/tracking_law.py", program=program)
         self.rotorub("run", "there.toml", "-q", "--engine", "mujoco", "--end", "10ms", "-o", "out", program=program)
         self.rotorub("fmu", "there.toml", "-o", "there.fmu", program=program)
         self.rotorub("modes", root / "usr/share/rotorub/mjcf/bench_whip.toml", program=program)

@@ -36,19 +36,30 @@ class Description(InAFolder):
         self.assertGreater(len(variables), 20)
         named, numbered = [v.get("name") for v in variables], [v.get("valueReference") for v in variables]
         self.assertEqual(len(set(named)), len(named))
-        self.assertEqual(numbered, [str(i) for i in range(len(variables))])
+        self.assertEqual(numbered, sorted(set(numbered), key=int))
         units = {unit.get("name") for unit in root.find("UnitDefinitions")}
-        outputs = []
+        outputs, parameters = [], []
         for i, variable in enumerate(variables):
             kind = variable if three else variable[0]
             whole = (kind.tag in ("Int32", "Integer"))
             self.assertIn(kind.tag, ("Float64", "Int32") if three else ("Real", "Integer"))
-            self.assertEqual(variable.get("variability"), "discrete" if whole else "continuous")
+            parameter = variable.get("causality") == "parameter"
+            self.assertEqual(variable.get("variability"),
+                             "fixed" if parameter else "discrete" if whole else "continuous")
+            if parameter:
+                start = float(kind.get("start"))
+                self.assertLessEqual(float(kind.get("min", "-inf")), start)
+                self.assertLessEqual(start, float(kind.get("max", "inf")))
+                self.assertTrue(variable.get("description"))
+                parameters.append(variable.get("name"))
+                continue
             self.assertEqual(whole, bool(re.search(r"mode$|^impacts$", variable.get("name"))))
             self.assertTrue(kind.get("unit") is None or kind.get("unit") in units)
             self.assertEqual(kind.get("start"), "0" if variable.get("causality") == "input" else None)
             if variable.get("causality") == "output":
-                outputs.append(str(i if three else i + 1))  # FMI 2.0 counts from 1
+                outputs.append(variable.get("valueReference") if three else str(i + 1))  # FMI 2.0 counts from 1
+        self.assertTrue({"contact.friction", "contact[0].friction"} & set(parameters), parameters)
+        self.assertFalse([name for name in named if re.search(r"^v?[xy]_\d+$|^torsion", name)])
         structure = root.find("ModelStructure")
         for kind in ("Output", "InitialUnknown"):
             listed = ([v.get("valueReference") for v in structure.findall(kind)] if three else

@@ -55,7 +55,7 @@ TRIED = [
     f"modes {RING} --periodic --across contact.friction=0.1:0.2:2 -o branches -q",
     f"mjcf {RING} --mujoco 3.12 -o ring.xml --set contact.friction=0.2 --json",
     f"mjcf {RING} --output r.xml --quiet", f"mjcf {RING} -q",
-    f"fmu {RING} --set contact.friction=0.2 --fmi 2.0 -o plant.fmu --json", f"fmu {RING} --quiet",
+    f"fmu {RING} --set contact.friction=0.2 --fmi 2.0 --modal -o plant.fmu --json", f"fmu {RING} --quiet",
     "render r1 --png --at 10.5ms --size 320x240 --view axis --title Drop -o p.png --json",
     "render r1 --beside r1 --gif --from 9ms --to 10ms --slow 200 --fps 5 --size 320x240 --output two.gif --quiet",
     f"render {DROP} --png --step 20us --end 12ms --size 320x240 --set contact.restitution=0.6 -q -o q.png",

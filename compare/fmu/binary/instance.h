@@ -8,8 +8,11 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "native_model/run/stepwise_run.h"
+#include "native_model/scene/adjustable.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub::fmi {
@@ -40,7 +43,8 @@ class Instance {
     return kError;
   }
 
-  // Each reference must be a variable of that type: whole numbers, or others.
+  // Each reference must be a variable of that type: whole numbers, or others. Inputs can be set at
+  // any time, parameters until the end of the initialization.
   template <class Number>
   Status get(const ValueReference* of, std::size_t count, Number* values);
   Status set(const ValueReference* of, std::size_t count, const double* values);
@@ -51,8 +55,8 @@ class Instance {
   // From `from` over `length`, s. events: the step may return early at an event, which then waits.
   Status do_step(double from, double length, bool events);
   Status pass_event();
-  double time() const { return run_.time(); }
-  bool event_waits() const { return run_.event_waits(); }
+  double time() const { return run().time(); }
+  bool event_waits() const { return run().event_waits(); }
 
   // *state: null, or a state to be replaced.
   Status save(void** state) const;
@@ -62,14 +66,33 @@ class Instance {
   bool event_mode = false, early_return = false;  // supported by the importer
 
  private:
+  // The run of the scene with one set of values of its parameters. A saved state keeps the plant to
+  // which it belongs.
+  struct Plant {
+    Plant(const scene::Scene& scene, std::vector<double> values)
+        : run(scene), parameters(std::move(values)) {}
+    StepwiseRun run;
+    std::vector<double> parameters;
+  };
+  struct Kept;
+
+  StepwiseRun& run() { return plant_->run; }
+  const StepwiseRun& run() const { return plant_->run; }
+  // Throws std::runtime_error if the scene refuses the values.
+  std::shared_ptr<Plant> plant_with(const std::vector<double>& values) const;
+  Status set_parameter(std::size_t parameter, double value);
   bool begin_anew();
 
   Log log_;
-  scene::Scene scene_;
-  StepwiseRun run_;
-  double stop_;                // s
-  bool initializing_ = false;  // the inputs still have their start values
-  bool changed_ = false;
+  std::filesystem::path file_;  // of the scene
+  std::vector<scene::Adjustable> parameters_;
+  std::shared_ptr<Plant> plant_;
+  std::vector<double> values_;  // of the parameters, as set
+  double end_of_scene_ = 0.0;   // s
+  double stop_ = 0.0;           // s
+  bool initializing_ = false;   // inputs and parameters still have their start values
+  bool initialized_ = false;    // parameters are fixed
+  bool changed_ = false;        // one of them has been set since the run began
 };
 
 }  // namespace rotorub::fmi

@@ -1,16 +1,8 @@
 """A controller to begin with: the ring follows the rotor, by a spring and a damper between their centres.
 
-Its shim is compiled once, in this folder (Debian: python3-dev, pkg-config):
+Run it from this folder:
 
-  cc -shared -fPIC -I . $(pkg-config --cflags python3-embed) python_controller.c -o python_controller.so \
-    $(pkg-config --libs python3-embed)
-
-and then
-
-  rotorub run ../SCENE.toml --controller ./python_controller.so --set controller.sample_time=50us \
-    --set controller.config.module=follow_law --set controller.config.path=.
-
-The module has another name than follow.c, since Python would take follow.so for it.
+  rotorub run ../SCENE.toml --controller follow_law.py --set controller.sample_time=50us
 """
 
 STIFFNESS = 4e5  # N/m

@@ -1,4 +1,7 @@
-"""A controller in Python (python_controller.c): a spring and a damper that bring the ring to the rotor."""
+"""A controller in Python: a spring and a damper that bring the ring to the rotor.
+
+  rotorub run SCENE.toml --controller tracking_law.py --set controller.config.stiffness=2e5
+"""
 import math
 
 

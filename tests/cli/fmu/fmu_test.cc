@@ -49,7 +49,7 @@ TEST_P(FmuOfScene, GivesTheBitsOfARunAndStepsBackByASavedState) {
                                       "run.output_step=0.00048828125"};
   folder.done(with({"run", shipped(GetParam()), "--integrator", "event", "-q", "-o", "out"}, sets));
   const auto series = series_in(folder, "out/series.csv");
-  const UnpackedFmu fmu = fmu_of(folder, GetParam(), sets);
+  const UnpackedFmu fmu = fmu_of(folder, GetParam(), with(sets, {"--modal"}));
   Plant plant(fmu);
   ASSERT_TRUE(static_cast<bool>(plant)) << plant.said;
   ASSERT_EQ(plant.initialize(0.0, true, 0.0625), kFmiOK) << plant.said;
@@ -91,6 +91,153 @@ INSTANTIATE_TEST_SUITE_P(Scenes, FmuOfScene,
                          testing::Values("paper_passive", "paper_sliding_sampled", "two_catchers",
                                          "amb_machine"),
                          [](const auto& scene) { return std::string(scene.param); });
+
+// ------------------------------------------------------------------ parameters
+
+// The last values of the columns of a run that ends at 0.0625 s with these overrides.
+std::map<std::string, double> end_of_run(const Folder& folder, const std::string& scene,
+                                         const std::vector<std::string>& sets) {
+  std::vector<std::string> call{"run",
+                                shipped(scene),
+                                "--integrator",
+                                "event",
+                                "-q",
+                                "-o",
+                                "changed",
+                                "--set",
+                                "run.end=0.0625",
+                                "--set",
+                                "run.output_step=0.0625"};
+  for (const std::string& change : sets) call = with(call, {"--set", change});
+  folder.done(call);
+  std::map<std::string, double> last;
+  for (const auto& [name, column] : series_in(folder, "changed/series.csv"))
+    last[name] = column.back();
+  return last;
+}
+
+// As --set takes it: "force[0].vector.x" is a part of the list force[0].vector.
+std::string override_of(const UnpackedFmu& fmu, const std::string& name, double value) {
+  std::ostringstream change;
+  change.precision(17);
+  const std::string vector = name.substr(0, name.size() - 2);
+  if (name.ends_with(".x"))
+    change << vector << "=[" << value << ", " << fmu.parameters.at(vector + ".y").start << "]";
+  else if (name.ends_with(".y"))
+    change << vector << "=[" << fmu.parameters.at(vector + ".x").start << ", " << value << "]";
+  else
+    change << name << "=" << value;
+  return change.str();
+}
+
+class FmuParameters : public testing::TestWithParam<const char*> {};
+
+// Each parameter is the key of its name: the bits of `rotorub run --set` with the same value.
+TEST_P(FmuParameters, GiveTheBitsOfARunWithTheSameValues) {
+  const Folder folder;
+  const UnpackedFmu fmu = fmu_of(folder, GetParam(), {"--set", "run.end=0.0625"});
+  EXPECT_TRUE(fmu.parameters.contains("contact.friction") ||
+              fmu.parameters.contains("contact[0].friction"));
+  EXPECT_GE(fmu.parameters.size(), 5u) << "friction, clearance, restitution, a load";
+  Plant plant(fmu);
+  const auto expect_run = [&](const std::vector<std::string>& sets) {
+    for (double t = 0.0; t < 0.0625; t += 0x1p-8)
+      ASSERT_EQ(plant.step(t, 0x1p-8).status, kFmiOK) << plant.said;
+    for (const auto& [name, value] : end_of_run(folder, GetParam(), sets)) {
+      if (name != "t" && fmu.outputs.contains(name)) {
+        EXPECT_EQ(plant.get(name), value) << name << " with " << testing::PrintToString(sets);
+      }
+    }
+  };
+  for (const auto& [name, parameter] : fmu.parameters) {
+    const double value = parameter.start == 0.0 ? 0.015625 : 0.9375 * parameter.start;
+    const std::string change = override_of(fmu, name, value);
+    ASSERT_EQ(plant.call("Reset"), kFmiOK);
+    EXPECT_EQ(plant.get(name), parameter.start);
+    ASSERT_EQ(plant.enter_initialization(0.0, true, 0.0625), kFmiOK);
+    ASSERT_EQ(plant.set(name, value), kFmiOK) << plant.said;
+    EXPECT_EQ(plant.get(name), value);
+    ASSERT_EQ(plant.call("ExitInitializationMode"), kFmiOK) << plant.said;
+    expect_run({change});
+  }
+  // All of them at once, set before the initialization.
+  ASSERT_EQ(plant.call("Reset"), kFmiOK);
+  std::vector<std::string> all;
+  for (const auto& [name, parameter] : fmu.parameters) {
+    if (name.ends_with(".x") || name.ends_with(".y")) continue;
+    const double value = parameter.start == 0.0 ? 0.015625 : 0.9375 * parameter.start;
+    all.push_back(override_of(fmu, name, value));
+    ASSERT_EQ(plant.set(name, value), kFmiOK);
+  }
+  ASSERT_EQ(plant.initialize(0.0, true, 0.0625), kFmiOK) << plant.said;
+  expect_run(all);
+  // And none: the plant of the scene.
+  ASSERT_EQ(plant.call("Reset"), kFmiOK);
+  ASSERT_EQ(plant.initialize(0.0, true, 0.0625), kFmiOK);
+  expect_run({});
+}
+INSTANTIATE_TEST_SUITE_P(Scenes, FmuParameters,
+                         testing::Values("paper_passive", "paper_sliding_sampled", "two_catchers",
+                                         "bench_drop", "bench_ring"),
+                         [](const auto& scene) { return std::string(scene.param); });
+
+TEST(Fmu, ParametersAreRefusedWithAWord) {
+  const Folder folder;
+  const UnpackedFmu fmu = fmu_of(folder, "bench_ring");
+  Plant plant(fmu);
+  const auto refuses = [&](int status, std::initializer_list<std::string_view> words) {
+    EXPECT_EQ(status, kFmiError);
+    EXPECT_TRUE(contains(plant.said, words));
+    plant.said.clear();
+  };
+  ASSERT_EQ(plant.set("contact.friction", -0.1), kFmiOK) << "values are judged together";
+  refuses(plant.initialize(0.0, false, 0.0), {"parameter contact.friction", ">= 0"});
+  ASSERT_EQ(plant.set("contact.friction", 0.1), kFmiOK);
+  refuses(plant.set("contact.clearance", std::nan("")), {"contact.clearance is not finite"});
+  ASSERT_EQ(plant.initialize(0.0, false, 0.0), kFmiOK) << plant.said;
+  refuses(plant.set("contact.friction", 0.2), {"contact.friction is fixed", "initialization"});
+  EXPECT_EQ(plant.get("contact.friction"), 0.1);
+}
+
+// A saved state belongs to the parameters with which it was saved.
+TEST(Fmu, ASavedStateKeepsItsParameters) {
+  const Folder folder;
+  const UnpackedFmu fmu = fmu_of(folder, "bench_ring");
+  Plant plant(fmu);
+  const auto rotor_after = [&] {
+    EXPECT_EQ(plant.step(0.03125, 0.03125).status, kFmiOK) << plant.said;
+    return plant.get("rotor_x");
+  };
+  ASSERT_EQ(plant.set("contact.friction", 0.05), kFmiOK);
+  ASSERT_EQ(plant.initialize(0.0, false, 0.0), kFmiOK);
+  ASSERT_EQ(plant.step(0.0, 0.03125).status, kFmiOK);
+  ASSERT_EQ(plant.of_state("GetFMUState"), kFmiOK);
+  const double with_less = rotor_after();
+  ASSERT_EQ(plant.call("Reset"), kFmiOK);
+  ASSERT_EQ(plant.set("contact.friction", 0.25), kFmiOK);
+  ASSERT_EQ(plant.initialize(0.0, false, 0.0), kFmiOK);
+  ASSERT_EQ(plant.step(0.0, 0.03125).status, kFmiOK);
+  EXPECT_NE(rotor_after(), with_less);
+  ASSERT_EQ(plant.set_state(), kFmiOK);
+  EXPECT_EQ(plant.get("contact.friction"), 0.05);
+  EXPECT_EQ(rotor_after(), with_less);
+  EXPECT_EQ(plant.of_state("FreeFMUState"), kFmiOK);
+}
+
+// Coordinates of single modes are shown on request; what is shown always has the same reference.
+TEST(Fmu, ShowsModalCoordinatesOnRequest) {
+  const Folder folder;
+  folder.done({"fmu", shipped("paper_passive"), "-q", "-o", "named.fmu"});
+  folder.done({"fmu", shipped("paper_passive"), "--modal", "-q", "-o", "modal.fmu"});
+  const UnpackedFmu named(folder.path() / "named.fmu", folder.path() / "named"),
+      modal(folder.path() / "modal.fmu", folder.path() / "modal");
+  for (const char* name : {"x_1", "vy_8", "torsion_1", "torsion_speed_1"}) {
+    EXPECT_TRUE(modal.outputs.contains(name)) << name;
+    EXPECT_FALSE(named.outputs.contains(name)) << name;
+  }
+  for (const char* name : {"rotor_x", "gap", "normal_force", "normal_impulse", "impacts"})
+    EXPECT_EQ(named.outputs.at(name).reference, modal.outputs.at(name).reference) << name;
+}
 
 TEST(Fmu, ReturnsAtEventsToAnImporterThatHandlesThem) {
   const Folder folder;

@@ -58,6 +58,7 @@ class UnpackedFmu {
          at != end; ++at) {
       const auto reference = static_cast<Reference>(std::stoul((*at)[3]));
       if ((*at)[4] == "input") inputs[(*at)[2]] = reference;
+      if ((*at)[4] == "parameter") parameters[(*at)[2]] = {reference, start_of((*at)[2])};
       if ((*at)[4] == "output") outputs[(*at)[2]] = {reference, (*at)[1] == "Int32"};
     }
   }
@@ -66,7 +67,12 @@ class UnpackedFmu {
     Reference reference;
     bool whole;
   };
+  struct Parameter {
+    Reference reference;
+    double start;
+  };
   std::map<std::string, Reference> inputs;
+  std::map<std::string, Parameter> parameters;
   std::map<std::string, Output> outputs;
 
   const std::string& description() const { return description_; }
@@ -84,6 +90,12 @@ class UnpackedFmu {
   }
 
  private:
+  double start_of(const std::string& name) const {
+    const std::size_t at = description_.find("name=\"" + name + "\"");
+    const std::string start = " start=\"";
+    return std::stod(description_.substr(description_.find(start, at) + start.size()));
+  }
+
   std::filesystem::path folder_;
   std::vector<std::string> names_;
   std::string description_;
@@ -117,9 +129,12 @@ class Plant {
   // A function of the instance alone.
   int call(const std::string& name) { return function<int (*)(void*)>(name)(instance_); }
 
+  int enter_initialization(double start, bool has_stop, double stop) {
+    return function<int (*)(void*, bool, double, double, bool, double)>("EnterInitializationMode")(
+        instance_, false, 0.0, start, has_stop, stop);
+  }
   int initialize(double start, bool has_stop, double stop) {
-    const int entered = function<int (*)(void*, bool, double, double, bool, double)>(
-        "EnterInitializationMode")(instance_, false, 0.0, start, has_stop, stop);
+    const int entered = enter_initialization(start, has_stop, stop);
     return entered == kFmiOK ? call("ExitInitializationMode") : entered;
   }
   struct Step {
@@ -143,12 +158,16 @@ class Plant {
     return status == kFmiOK ? call("EnterStepMode") : status;
   }
   int set(const std::string& name, double value) {
-    const Reference reference = fmu_.inputs.at(name);
+    const Reference reference =
+        fmu_.inputs.contains(name) ? fmu_.inputs.at(name) : fmu_.parameters.at(name).reference;
     return function<int (*)(void*, const Reference*, std::size_t, const double*, std::size_t)>(
         "SetFloat64")(instance_, &reference, 1, &value, 1);
   }
   double get(const std::string& name) {
-    const UnpackedFmu::Output& output = fmu_.outputs.at(name);
+    const bool parameter = fmu_.parameters.contains(name);
+    const UnpackedFmu::Output output =
+        parameter ? UnpackedFmu::Output{fmu_.parameters.at(name).reference, false}
+                  : fmu_.outputs.at(name);
     double number = 0.0;
     std::int32_t whole = 0;
     const auto ask = [&](const char* type, auto* value) {

@@ -86,8 +86,8 @@ void expect_turned_outputs(const std::string& name) {
   const Transformed by(scene::read_scene(file), Symmetry::kAskew);
   if (!by.not_expressible().empty()) return;
   const Folder folder;
-  std::vector<std::string> plain{"fmu", file, "-q", "-o", "plain.fmu"};
-  std::vector<std::string> turned{"fmu", file, "-q", "-o", "turned.fmu"};
+  std::vector<std::string> plain{"fmu", file, "--modal", "-q", "-o", "plain.fmu"};
+  std::vector<std::string> turned{"fmu", file, "--modal", "-q", "-o", "turned.fmu"};
   for (const std::string& text : by.overrides()) turned.insert(turned.end(), {"--set", text});
   folder.done(plain);
   folder.done(turned);

@@ -13,75 +13,25 @@
 #include "native_model/model/actuation.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/reader.h"
+#include "tests/native_model/control/own_law.h"
 #include "tests/support/native_run.h"
 #include "tests/support/refusal.h"
 #include "tests/support/said.h"
 #include "tests/support/temporary_folder.h"
 
-#ifdef __SANITIZE_ADDRESS__
-// Python keeps some memory to the end of the process; this is not our leak.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libpython3"; }
-#endif
-
 namespace rotorub {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path kLibraries = ROTORUB_LIBRARIES;
-
-// The libraries of these tests are the tests' own; LibraryGate says what happens to others.
-class Trusting : public testing::Environment {
- public:
-  void SetUp() override { set_scene_libraries(SceneLibraries::kAllowed); }
-};
-[[maybe_unused]] const auto* const trusting = testing::AddGlobalTestEnvironment(new Trusting);
-
-std::string text(const std::string& library, const std::string& config = "") {
-  return R"([run]
-end = 0.01
-step = "10 us"
-[rotor]
-speed = "50 Hz"
-[rotor.modal]
-mass = [1.0]
-stiffness = [2e5]
-damping = [20.0]
-[contact]
-radius = 0.05
-clearance = "0.5 mm"
-friction = 0.1
-restitution = 0.5
-[stator]
-mass = 1.0
-stiffness = 1e5
-damping = 50.0
-[initial]
-x = [1e-4]
-[controller]
-kind = "library"
-library = ")" +
-         library + R"("
-sample_time = "0.5 ms"
-[controller.config]
-)" + config;
-}
+using test::expect_said;
+using test::kLibraries;
+using test::own_law_refusal;
+using test::own_law_text;
 
 // A scene in the folder of the libraries, as from a file there.
 scene::Scene read(const std::string& library, const std::string& config = "",
                   const std::vector<std::string>& overrides = {}) {
-  scene::Scene s = scene::parse_scene(text(library, config), "own.toml", overrides);
-  s.folder = kLibraries.string();
-  return s;
-}
-
-// The message that refuses the scene; empty if it is read.
-std::string refusal(const scene::Scene& scene) {
-  const scene::Diagnostic d = test::refusal(scene);
-  return d.reason.empty() ? "" : to_string(d);
-}
-
-void expect_said(const std::string& said, const std::vector<std::string>& words) {
-  for (const std::string& word : words) EXPECT_TRUE(test::contains(said, word));
+  return test::own_law_scene(library, config, overrides);
 }
 
 TEST(Library, TellsItsStateAndIsAskedOnceASample) {
@@ -114,27 +64,30 @@ TEST(Library, EveryIntegratorGivesTheSameCommands) {
 }
 
 TEST(Library, RefusalsNameKeyAndReason) {
-  expect_said(refusal(read("nowhere.so")), {"controller.library", "not found", "nowhere.so"});
+  expect_said(own_law_refusal(read("nowhere.so")),
+              {"controller.library", "not found", "nowhere.so"});
   const test::TemporaryFolder folder;
   const fs::path none = folder.write("no_library.so", "not a library");
-  expect_said(refusal(read(none.string())), {"controller.library", "no_library.so"});
-  expect_said(refusal(read("other_abi_controller.so")),
+  expect_said(own_law_refusal(read(none.string())), {"controller.library", "no_library.so"});
+  expect_said(own_law_refusal(read("other_abi_controller.so")),
               {"controller.library", "4711", "needs ABI 1"});
-  expect_said(refusal(read("odd_controller.so")), {"controller.library", "neither ROTORUB_FORCE"});
-  expect_said(refusal(read("current_controller.so")), {"controller.library", "commands currents"});
-  expect_said(refusal(read("faulty_controller.so", "fault = \"huge\"")),
+  expect_said(own_law_refusal(read("odd_controller.so")),
+              {"controller.library", "neither ROTORUB_FORCE"});
+  expect_said(own_law_refusal(read("current_controller.so")),
+              {"controller.library", "commands currents"});
+  expect_said(own_law_refusal(read("faulty_controller.so", "fault = \"huge\"")),
               {"controller.library", "state of"});
-  expect_said(refusal(read("faulty_controller.so", "fault = \"create\"\nat = 2.5")),
+  expect_said(own_law_refusal(read("faulty_controller.so", "fault = \"create\"\nat = 2.5")),
               {"controller.config", "faulty refuses: it does not like the number 2.5"});
-  expect_said(refusal(read("faulty_controller.so", "fault = \"throw in create\"")),
+  expect_said(own_law_refusal(read("faulty_controller.so", "fault = \"throw in create\"")),
               {"controller.config", "thrown in create"});
-  expect_said(refusal(read("../bin/../lib/faulty_controller.so")), {});
+  expect_said(own_law_refusal(read("../bin/../lib/faulty_controller.so")), {});
 }
 
 TEST(Library, IsRefusedWithoutASampleTimeAndConfigByOtherKinds) {
   const auto parse = [](const std::vector<std::string>& overrides) -> std::string {
     const auto wrong = test::refusals([&] {
-      scene::parse_scene(text("faulty_controller.so", "gain = 1"), "own.toml", overrides);
+      scene::parse_scene(own_law_text("faulty_controller.so", "gain = 1"), "own.toml", overrides);
     });
     return wrong.empty() ? "" : to_string(wrong.front());
   };
@@ -191,9 +144,9 @@ class Environment {
 TEST(LibraryPath, AModelDoesNotLoadCodeByItself) {
   scene::Scene s = read((kLibraries / "faulty_controller.so").string());
   s.folder.reset();  // it came in an MJCF
-  expect_said(refusal(s), {"controller.library", "ROTORUB_CONTROLLER_PATH"});
+  expect_said(own_law_refusal(s), {"controller.library", "ROTORUB_CONTROLLER_PATH"});
   const Environment path("ROTORUB_CONTROLLER_PATH", "/nowhere");
-  EXPECT_EQ(refusal(s), "") << "absolute, and the variable is set";
+  EXPECT_EQ(own_law_refusal(s), "") << "absolute, and the variable is set";
 }
 
 TEST(LibraryPath, IsLookedUpInTheFoldersOfTheVariable) {
@@ -202,14 +155,15 @@ TEST(LibraryPath, IsLookedUpInTheFoldersOfTheVariable) {
   const Environment path("ROTORUB_CONTROLLER_PATH", "/nowhere:" + kLibraries.string());
   EXPECT_EQ(library_path(s, libraries_of(s).front()), kLibraries / "faulty_controller.so");
   s.first().controller->library = "nowhere.so";
-  expect_said(refusal(s),
+  expect_said(own_law_refusal(s),
               {"not found", "/nowhere/nowhere.so", (kLibraries / "nowhere.so").string()});
 }
 
 TEST(LibraryPath, OfASceneIsBesideIt) {
   const test::TemporaryFolder folder;
   fs::copy_file(kLibraries / "faulty_controller.so", folder / "mine.so");
-  EXPECT_EQ(refusal(scene::read_scene(folder.write("own.toml", text("mine.so")))), "");
+  EXPECT_EQ(own_law_refusal(scene::read_scene(folder.write("own.toml", own_law_text("mine.so")))),
+            "");
 }
 
 // ------------------------------------------------------------------ what may be opened
@@ -223,7 +177,7 @@ TEST_F(LibraryGate, WhatASceneNamesIsNotOpenedUnasked) {
   for (const std::string& library :
        {std::string("current_controller.so"), (kLibraries / "current_controller.so").string(),
         "../" + kLibraries.filename().string() + "/current_controller.so"}) {
-    expect_said(refusal(read(library)),
+    expect_said(own_law_refusal(read(library)),
                 {"controller.library", "current_controller.so is not opened", "--allow-library",
                  "ROTORUB_CONTROLLER_PATH"});
   }
@@ -231,31 +185,33 @@ TEST_F(LibraryGate, WhatASceneNamesIsNotOpenedUnasked) {
 
 TEST_F(LibraryGate, OneFileMayBeAllowed) {
   allow_library(kLibraries / "recording_controller.so");
-  EXPECT_EQ(refusal(read("recording_controller.so")), "");
-  EXPECT_EQ(refusal(read("../" + kLibraries.filename().string() + "/recording_controller.so")), "");
-  EXPECT_NE(refusal(read("current_controller.so")), "");
+  EXPECT_EQ(own_law_refusal(read("recording_controller.so")), "");
+  EXPECT_EQ(
+      own_law_refusal(read("../" + kLibraries.filename().string() + "/recording_controller.so")),
+      "");
+  EXPECT_NE(own_law_refusal(read("current_controller.so")), "");
 }
 
 TEST_F(LibraryGate, OrItsFolder) {
   const Environment path("ROTORUB_CONTROLLER_PATH", "/nowhere:" + kLibraries.string() + "/");
-  EXPECT_EQ(refusal(read("faulty_controller.so")), "");
+  EXPECT_EQ(own_law_refusal(read("faulty_controller.so")), "");
   scene::Scene elsewhere = read("faulty_controller.so");
   const test::TemporaryFolder folder;
   elsewhere.folder = folder.path();
-  EXPECT_EQ(refusal(elsewhere), "") << "found there too";
+  EXPECT_EQ(own_law_refusal(elsewhere), "") << "found there too";
   const fs::path below = folder / "gate" / "below";
   fs::create_directories(below);
   fs::copy_file(kLibraries / "faulty_controller.so", below / "mine.so");
   scene::Scene above = read("below/../below/mine.so");
   above.folder = below.parent_path().string();
-  EXPECT_NE(refusal(above), "") << "not in that folder";
+  EXPECT_NE(own_law_refusal(above), "") << "not in that folder";
   const Environment whole("ROTORUB_CONTROLLER_PATH", below.parent_path().string());
-  EXPECT_EQ(refusal(above), "") << "below it";
+  EXPECT_EQ(own_law_refusal(above), "") << "below it";
 }
 
 TEST_F(LibraryGate, WhatShowsASceneOpensNone) {
   set_scene_libraries(SceneLibraries::kLeftOut);
-  EXPECT_EQ(refusal(read("nowhere.so")), "");
+  EXPECT_EQ(own_law_refusal(read("nowhere.so")), "");
 }
 
 // ------------------------------------------------------------------ the examples
@@ -274,94 +230,10 @@ TEST(OwnController, BringsTheRingToTheRotorByPositionsAlone) {
 }
 
 TEST(OwnController, RefusesAWordThatItDoesNotKnow) {
-  expect_said(refusal(read("own_controller.so", "stifness = 1")),
+  expect_said(own_law_refusal(read("own_controller.so", "stifness = 1")),
               {"controller.config", "stifness", "give the numbers"});
-  expect_said(refusal(read("own_controller.so", "", {"controller.sensors.rotor=false"})),
+  expect_said(own_law_refusal(read("own_controller.so", "", {"controller.sensors.rotor=false"})),
               {"positions"});
-}
-
-class PythonController : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!fs::exists(kLibraries / "python_controller.so")) GTEST_SKIP() << "no Python to embed";
-  }
-  // A scene with a module in this test's folder as its law.
-  scene::Scene law(const std::string& name) const {
-    return read("python_controller.so",
-                "module = \"" + name + "\"\npath = \"" + folder_.path().string() + "\"\n");
-  }
-
-  const test::TemporaryFolder folder_;
-};
-
-TEST_F(PythonController, CommandsWhatItsLawSays) {
-  const std::string examples = std::string(ROTORUB_SOURCE_DIR) + "/native_model/control/examples";
-  const Model m =
-      prepare(read("python_controller.so", "module = \"tracking_law\"\npath = \"" + examples +
-                                               "\"\nstiffness = 2e5\ndamping = 300\n"));
-  std::vector<double> memory(m.first().loop->memory_size(), 0.0);
-  Eigen::VectorXd q = Eigen::VectorXd::Zero(m.nq()), v = q;
-  const int ring = m.layout.ring();
-  for (int k = 0; k < 4; ++k) {
-    q << 1e-4 + 2e-5 * k, -5e-5, 1e-5 * k, 3e-5;
-    v << 0.05, 0.01, -0.02, 0.03 * k;
-    ASSERT_EQ(ring, 2);
-    const double t = 0.002 + 5e-4 * k, s = (t - 0.002) / 0.008, r = 1.0 - s;
-    const Eigen::Vector2d d = q.head(2) - q.tail(2), e = d.normalized();
-    const double error = 0.5e-3 - d.norm() - 0.5e-3 * r * r * r * (1.0 + 3.0 * s + 6.0 * s * s);
-    const double push = 2e5 * error - 300.0 * e.dot(v.head(2) - v.tail(2));
-    const Eigen::Vector2d u = control_sample(m, t, q.data(), v.data(), {0.0, 0.0}, memory.data());
-    EXPECT_LT((u + push * e).norm(), 1e-12 * std::abs(push)) << k;
-  }
-}
-
-TEST_F(PythonController, AnExceptionEndsTheRunWithItsWords) {
-  folder_.write("broken_law.py", R"(
-def create(setup):
-    return None
-def limited(t):
-    if t >= 0.002: raise ValueError("no more")
-def step(law, now, state):
-    limited(now["t"])
-    return 1.0, 2.0
-)");
-  const Trajectory t = run_native(law("broken_law"));
-  EXPECT_EQ(t.status, Status::kControllerFailed);
-  // Its words, and the lines of the file that it came through.
-  const std::string file = (folder_ / "broken_law.py").string();
-  expect_said(t.message, {"python_controller", "0.002", "ValueError: no more",
-                          "in step (" + file + ":7)", "in limited (" + file + ":5)"});
-  expect_said(refusal(read("python_controller.so", "module = \"no_such_law\"\n")),
-              {"controller.config", "no_such_law"});
-}
-
-// The first mistakes with a law in Python are named: the function, the number of values, the keys.
-TEST_F(PythonController, NamesWhatIsMissing) {
-  const std::string create = "def create(setup):\n    return None\n",
-                    step = "def step(law, now, state):\n    ";
-  // All before the first is imported: Python remembers what is in a folder.
-  const std::pair<const char*, std::string> laws[] = {
-      {"law_without_create", step + "return 0.0, 0.0\n"},
-      {"law_without_step", create},
-      {"law_of_no_gain",
-       "def create(setup):\n    return setup['gain']\n" + step + "return 0.0, 0.0\n"},
-      {"law_of_nothing", create + step + "pass\n"},
-      {"law_of_three", create + step + "return 0.0, 0.0, 0.0\n"},
-      {"law_of_no_key", create + step + "return now['rotor_x'], 0.0\n"}};
-  for (const auto& [name, text] : laws) folder_.write(name + std::string(".py"), text);
-
-  expect_said(refusal(law("law_without_create")),
-              {"law_without_create.py has no function create(setup)"});
-  expect_said(refusal(law("law_without_step")),
-              {"law_without_step.py has no function step(law, now, state)"});
-  expect_said(refusal(law("law_of_no_gain")),
-              {"KeyError: 'gain'", "in create", "setup has the keys sample_time", "config"});
-  expect_said(run_native(law("law_of_nothing")).message,
-              {"step() returns NoneType", "two numbers, ux and uy"});
-  expect_said(run_native(law("law_of_three")).message,
-              {"step() returns 3 numbers", "two, ux and uy"});
-  expect_said(run_native(law("law_of_no_key")).message,
-              {"KeyError: 'rotor_x'", "in step", "now has the keys t, sample, rotor, "});
 }
 
 }  // namespace

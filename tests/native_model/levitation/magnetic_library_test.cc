@@ -14,6 +14,7 @@
 #include "tests/support/native_run.h"
 #include "tests/support/refusal.h"
 #include "tests/support/said.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rotorub {
 namespace {
@@ -105,6 +106,40 @@ TEST(MagneticLibrary, TheSameLawGivesTheSameBits) {
       }
       EXPECT_GT(test::largest_size(a, "bearing_current_x"), 0.1) << "and it does something";
     }
+  }
+}
+
+TEST(MagneticLibrary, TheSameLawInPythonGivesTheSameBits) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder
+                               .write("magnets.py", R"(
+def create(setup):
+    law = {key: [float(x) for x in text.split()] for key, text in setup["config"].items()}
+    assert setup["ports"] == 4 and setup["delay"] == 2e-4 and setup["sample_time"] == 2e-4
+    assert setup["bearings"][0]["bandwidth"] == 4000.0
+    assert setup["bearings"][1]["current_limit"] == 2.0
+    assert setup["bearings"][1]["bandwidth"] == float("inf")
+    return law
+def state_size(law):
+    return 2
+def row(matrix, i, of):
+    total = 0.0
+    for j, value in enumerate(of):
+        total += matrix[i * len(of) + j] * value
+    return total
+def step(law, now, state):
+    r = now["deflection"]
+    current = [-(row(law["c"], i, state) + row(law["d"], i, r)) for i in range(4)]
+    state[0], state[1] = [row(law["a"], i, state) + row(law["b"], i, r) for i in range(2)]
+    return current
+)")
+                               .string();
+  for (const Integrator integrator : kAll) {
+    const Trajectory a = test::run_with(read(kDelay + kMatrices), integrator),
+                     b = test::run_with(read(kDelay + by_library("", file)), integrator);
+    ASSERT_EQ(a.series.size(), b.series.size());
+    for (std::size_t c = 0; c < a.series.size(); ++c)
+      EXPECT_EQ(a.series[c].values, b.series[c].values) << a.integrator << " " << a.series[c].name;
   }
 }
 

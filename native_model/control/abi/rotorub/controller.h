@@ -1,8 +1,8 @@
 /* A user's controller for rotorub: a shared library with the function rotorub_controller_get, which
  * commands a ring, or rotorub_magnetic_controller_get, which commands the currents of magnetic
  * bearings (at the end), or both. The same library runs in the native model, in MuJoCo and in
- * sweeps. It can be written in C, C++ or any language that can export a C function (examples:
- * mjcf/docs/own_controller.md).
+ * sweeps. It can be written in C, C++ or any language that can export a C function. A law in Python
+ * is a file with the same functions (mjcf/docs/own_controller.md).
  *
  * The library is sampled: at t = k sample_time it receives the measurements of the sensors, updates
  * its state and returns a command that is held until the next sample. The state is a plain array

@@ -1,0 +1,107 @@
+#include "native_model/control/shared_law.h"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <stdexcept>
+#include <type_traits>
+
+#include "native_model/scene/text.h"
+
+namespace rotorub {
+namespace {
+
+constexpr std::size_t kReasonRoom = 512;  // bytes
+constexpr std::size_t kNameRoom = 80;     // bytes
+
+std::shared_ptr<void> opened(const std::filesystem::path& file) {
+  void* const handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) {
+    const char* why = dlerror();
+    throw std::runtime_error(
+        scene::printable(why != nullptr ? why : "cannot be loaded", kReasonRoom));
+  }
+  return {handle, [](void* h) { dlclose(h); }};
+}
+
+// Calls `action` of the library. Returns an empty string if it succeeds (returns 0), otherwise its
+// reason, which need not end with 0; an exception counts as a failure.
+template <typename Action>
+std::string failure_of(Action action) {
+  std::array<char, kReasonRoom> reason{};
+  try {
+    if (action(reason.data()) == 0) return "";
+  } catch (const std::exception& error) {
+    return scene::printable(error.what(), kReasonRoom);
+  } catch (...) {
+    return "it threw something that is not a std::exception";
+  }
+  const std::string text(reason.begin(), std::find(reason.begin(), reason.end(), '\0'));
+  return text.empty() ? "no reason given" : scene::printable(text, kReasonRoom);
+}
+
+}  // namespace
+
+template <class Kind>
+SharedLaw<Kind>::SharedLaw(const std::filesystem::path& file) : library_(opened(file)) {
+  const auto refuse = [&file](const std::string& why) {
+    throw std::runtime_error(file.string() + ": " + why);
+  };
+  const auto get =
+      reinterpret_cast<const typename Kind::Functions* (*)()>(dlsym(library_.get(), Kind::kSymbol));
+  if (get == nullptr)
+    refuse(std::string("no function ") + Kind::kSymbol + " (rotorub/controller.h)");
+  functions_ = get();
+  if (functions_ == nullptr) refuse("returns no controller");
+  if (functions_->abi != Kind::kAbi) {
+    refuse("is of controller ABI " + std::to_string(functions_->abi) +
+           ", but this program needs ABI " + std::to_string(Kind::kAbi));
+  }
+  if (functions_->create == nullptr || functions_->step == nullptr)
+    refuse("has no create() or no step()");
+  name_ = functions_->name != nullptr ? scene::printable(functions_->name, kNameRoom)
+                                      : file.filename().string();
+}
+
+template <class Kind>
+SharedLaw<Kind>::~SharedLaw() {
+  if (created_ && functions_->destroy != nullptr) functions_->destroy(self_);
+}
+
+template <class Kind>
+std::uint32_t SharedLaw<Kind>::command() const {
+  if constexpr (std::is_same_v<Kind, RingLaw>)
+    return functions_->command;
+  else
+    return ROTORUB_CURRENT;
+}
+
+template <class Kind>
+std::string SharedLaw<Kind>::create(const typename Kind::Setup& setup) {
+  const std::string failed = failure_of(
+      [&](char* reason) { return functions_->create(&setup, &self_, reason, kReasonRoom); });
+  if (!failed.empty()) return failed;
+  created_ = true;
+  if (functions_->state_size != nullptr) state_size_ = functions_->state_size(self_);
+  return "";
+}
+
+template <class Kind>
+void SharedLaw<Kind>::start(double* state) const {
+  if (functions_->start != nullptr) functions_->start(self_, state);
+}
+
+template <class Kind>
+std::string SharedLaw<Kind>::step(const typename Kind::Measurement& now, double* state,
+                                  double* told) const {
+  return failure_of([&](char* reason) {
+    return functions_->step(self_, &now, state, told, reason, kReasonRoom);
+  });
+}
+
+template class SharedLaw<RingLaw>;
+template class SharedLaw<MagneticLaw>;
+
+}  // namespace rotorub
