@@ -85,7 +85,8 @@ json plots_of(const Levitation& levitation) {
   double end = 0.0;
   for (const StepResponse& one : levitation.steps) end = std::max(end, 1.4 * one.settling_time);
   for (std::size_t k = 0; k < levitation.loops.size(); ++k) {
-    sensitivity.push_back(sensitivity_curve(levitation, static_cast<Eigen::Index>(k)));
+    if (!levitation.unstable())
+      sensitivity.push_back(sensitivity_curve(levitation, static_cast<Eigen::Index>(k)));
     if (!levitation.steps.empty())
       step.push_back(step_curve(levitation.loops[k], levitation.steps[k], end));
   }

@@ -32,9 +32,7 @@ std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
   const RotorAnalysis& analysis = campbell.analysis;
   const result::Section found = modes_result(scene.name, analysis);
   const json all = json_of(found);
-  // The page's plots have the rest.
   json judged{{"speed", all.at("speeds")[0]}};
-  judged["speed"].erase("levitation");
   for (const char* key : {"critical", "unstable_ranges", "stability_bound", "rub_refused"})
     judged[key] = all.at(key);
   json rotor = modes_plots(scene, campbell);
