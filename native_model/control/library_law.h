@@ -32,12 +32,13 @@ class LibraryLaw {
     name_ = path.string();
     library_ = opened_library(scene, named(file), path);
     const auto get = reinterpret_cast<const Functions* (*)()>(symbol_of(library_.get(), symbol));
-    if (get == nullptr) refuse(std::string("no function ") + symbol + " (rotorub/controller.h)");
+    if (get == nullptr) refuse_absent(symbol, file);
     functions_ = get();
     if (functions_ == nullptr) refuse("returns no controller");
     if (functions_->abi != abi) {
       refuse("is of controller ABI " + std::to_string(functions_->abi) +
-             ", but this program needs ABI " + std::to_string(abi));
+             ", but this program needs ABI " + std::to_string(abi) +
+             ". Rebuild it with this program's rotorub/controller.h.");
     }
     if (functions_->create == nullptr || functions_->step == nullptr)
       refuse("has no create() or no step()");
@@ -99,6 +100,27 @@ class LibraryLaw {
   }
 
  private:
+  // Refuses a library without the function. It may have the function for the other kind of law.
+  [[noreturn]] void refuse_absent(const std::string& symbol, const std::string& file) const {
+    const std::string ring = ROTORUB_CONTROLLER_SYMBOL,
+                      magnets = ROTORUB_MAGNETIC_CONTROLLER_SYMBOL;
+    const std::string shown = scene::printable(std::filesystem::path(file).filename().string(), 80);
+    std::string why = shown + " does not export " + symbol + ", so it is not a controller for " +
+                      (symbol == ring ? "rotorub" : "magnetic bearings") +
+                      " (see rotorub/controller.h).";
+    if (symbol == ring && symbol_of(library_.get(), magnets.c_str()) != nullptr) {
+      why = shown + " commands magnetic bearings (" + magnets +
+            "), but this key sets a ring's controller. Set [magnetic_control] kind = \"library\" "
+            "and library = \"" +
+            shown + "\".";
+    } else if (symbol == magnets && symbol_of(library_.get(), ring.c_str()) != nullptr) {
+      why = shown + " commands a ring (" + ring +
+            "), but this key sets the law of magnetic bearings. Set [controller] kind = "
+            "\"library\" and library = \"" +
+            shown + "\".";
+    }
+    scene::refuse_at(*scene_, table_ + ".library", why);
+  }
   NamedLibrary named(const std::string& file) const { return {table_ + ".library", file}; }
   [[noreturn]] void fail(double t, const std::string& reason) const {
     throw ControllerError("controller " + name_ + " at t = " + std::to_string(t) + " s: " + reason);
