@@ -8,7 +8,7 @@
  * An exception ends the run with its words and where it was raised. Every step takes the
  * interpreter's lock: it is right on several threads, and no faster than on one.
  *
- *   cc -shared -fPIC -I <prefix>/include $(pkg-config --cflags python3-embed) \
+ *   cc -shared -fPIC -I $ROTORUB/native_model/control/abi $(pkg-config --cflags python3-embed) \
  *     python_controller.c -o python_controller.so $(pkg-config --libs python3-embed) */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
