@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -39,6 +40,13 @@ std::vector<fmi::ArchiveFile> files_of(const scene::Scene& scene, const Stepwise
           {fmi::binary_path(scene, version), binary()}};
 }
 
+// Whether a library commands a ring.
+bool has_ring_library(const scene::Scene& scene) {
+  return std::ranges::any_of(scene.auxiliary, [](const scene::AuxiliaryBearing& at) {
+    return at.controller && at.controller->kind == scene::ControllerKind::kLibrary;
+  });
+}
+
 // JSON alone.
 result::Table ports_table(const std::string& place, const std::vector<StepwiseRun::Port>& ports) {
   result::Table table{
@@ -59,7 +67,7 @@ int write_fmu(const FmuArguments& options) {
   std::string inputs;
   for (const StepwiseRun::Port& port : run.inputs())
     inputs += fmt::format("{}{} ({})", inputs.empty() ? "" : ", ", port.name, port.unit);
-  const result::Section result{
+  result::Section result{
       .parts = {result::Data{"",
                              {{"scene", scene.name},
                               {"scene_hash", scene::scene_hash(scene)},
@@ -70,6 +78,11 @@ int write_fmu(const FmuArguments& options) {
                 result::line(fmt::format("FMI {}, co-simulation; {} outputs; inputs: {}",
                                          options.version, run.outputs().size(), inputs)),
                 written_to(file)}};
+  if (has_ring_library(scene)) {
+    result.add({result::Sentence{
+        "The scene's controller is a library and is not part of the FMU; command_x and command_y "
+        "take its place."}});
+  }
   return finish(result, options);
 }
 
