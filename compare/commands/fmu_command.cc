@@ -79,9 +79,11 @@ int write_fmu(const FmuArguments& options) {
                                          options.version, run.outputs().size(), inputs)),
                 written_to(file)}};
   if (has_ring_library(scene)) {
-    result.add({result::Sentence{
-        "The scene's controller is a library and is not part of the FMU; command_x and command_y "
-        "take its place."}});
+    const bool is_current = std::ranges::find(run.inputs(), "command_1",
+                                              &StepwiseRun::Port::name) != run.inputs().end();
+    result.add({result::Sentence{fmt::format(
+        "The scene's controller is a library and is not part of the FMU; {} take its place.",
+        is_current ? "command_1 and command_2" : "command_x and command_y")}});
   }
   return finish(result, options);
 }

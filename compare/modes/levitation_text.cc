@@ -154,6 +154,10 @@ bool has_loop(const Levitation& levitation) {
   return !levitation.loops.empty() || !levitation.poles_refused.empty();
 }
 
+bool has_poles(const Levitation& levitation) {
+  return has_loop(levitation) && levitation.poles_refused.empty();
+}
+
 std::string levitation_title(double speed, const Levitation& levitation) {
   return fmt::format("closed loop of the magnetic bearings at {:.6g} rad/s{}", speed,
                      levitation.sample_time > 0.0

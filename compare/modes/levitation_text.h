@@ -12,6 +12,9 @@ namespace rotorub {
 // Whether there is a controlled magnetic bearing.
 bool has_loop(const Levitation& levitation);
 
+// Whether the poles of its loop are known.
+bool has_poles(const Levitation& levitation);
+
 // For a levitation that has a loop. {"poles": [{"real", "imaginary"}] in 1/s, by falling real part,
 // or null, "poles_refused": the reason, or null, "sample_time": s, 0: continuous, "loops":
 // [{"bearing": from 1, "axis": "x" or "y", "sensitivity": the peak of |S|, "frequency": rad/s,

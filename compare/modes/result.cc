@@ -77,6 +77,10 @@ Section speed_section(const RotorAnalysis& analysis, std::size_t at) {
       {Data{"speed", speed}, Data{"rub", nullptr}, std::move(above),
        Sentence{.text = "Whirl " + at_speed, .seen = result::kPage, .role = Role::kHeading},
        whirl_table("modes", modes, name_of, true)}};
+  if (!analysis.levitations.empty() && has_poles(analysis.levitations[at]))
+    section.add(
+        {line("  This table leaves out integrators, filters, amplifiers and sampling. The "
+              "poles below include them.")});
   const bool several = analysis.rubs.size() > 1;
   section.add(
       {Section{"", {response_part(analysis, at, 0)}, several ? result::kJson : result::kAll}});
@@ -91,9 +95,7 @@ Section speed_section(const RotorAnalysis& analysis, std::size_t at) {
   for (const std::string& note : analysis.responses[at].notes())
     section.add({Sentence{.text = note, .lead = "  note: ", .indent = 2, .place = "notes/#"}});
   if (has_loop(analysis.levitations[at]))
-    section.add({line("  This table leaves out integrators, filters, amplifiers and sampling. The "
-                      "poles below include them."),
-                 levitation_section(speed, analysis.levitations[at])});
+    section.add({levitation_section(speed, analysis.levitations[at])});
   return section;
 }
 

@@ -79,7 +79,7 @@ class StudyReader {
     read_scene(top);
     // An optimisation chooses its own points.
     study_.kind = SampleKind::kRandom;
-    const bool is_known = use != StudyUse::kSweep && !top.has("sample") ? true : read_sample(top);
+    const bool is_known = (use != StudyUse::kSweep && !top.has("sample")) || read_sample(top);
     // Which keys [[vary]] may have depends on the kind of [sample].
     if (is_known) {
       read_all_vary();

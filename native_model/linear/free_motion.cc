@@ -292,10 +292,10 @@ FreeMotion free_motion(const scene::Scene& scene, const Model& m) {
   const Layout& l = m.layout;
   if (const StationFeedback* feedback = sampled(m)) {
     refuse_steady(scene,
-                  "a steady start is not available, because " +
-                      scene::magnetic_bearing_name(scene, feedback->number) +
-                      " is sampled. Remove this key; the run then starts centred and at rest, so "
-                      "let it settle before the bearing fails");
+                  scene::magnetic_bearing_name(scene, feedback->number) +
+                      " is sampled, so no orbit is steady; a steady start is not available. Remove "
+                      "this key; the run then starts centred and at rest, so let it settle before "
+                      "the bearing fails");
   }
   const Bending b = bending(m);
   check_stability(scene, m);

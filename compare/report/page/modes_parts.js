@@ -39,7 +39,9 @@ function loopCard({poles, poles_refused: refused, loops}, at) {
   const [{real, imaginary}] = poles;
   if (real >= 0) {
     const motion = imaginary === 0 ? 'A motion without oscillation' : `A motion at ${short(Math.abs(imaginary) / (2 * Math.PI))} Hz`;
-    return {title: 'Closed loop', tone: 'bad', headline: `unstable at ${at}`, text: `${motion} grows at ${short(real)} 1/s.`};
+    const isRoundOff = real < 1e-10 * Math.max(...poles.map((pole) => Math.hypot(pole.real, pole.imaginary)));
+    return {title: 'Closed loop', tone: 'bad', headline: `unstable at ${at}`,
+      text: `${motion} ${isRoundOff ? 'does not decay' : `grows at ${short(real)} 1/s`}.`};
   }
   const worst = loops.reduce((top, loop) => (loop.sensitivity > top.sensitivity ? loop : top));
   const size = `${short(worst.sensitivity)} (${short(20 * Math.log10(worst.sensitivity), 2)} dB)`;
