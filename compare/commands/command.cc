@@ -3,19 +3,25 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <set>
+#include <string_view>
 #include <system_error>
 
 #include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
+#include "compare/sweep/shard.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/overrides.h"
 #include "native_model/scene/reader.h"
+#include "native_model/scene/record.h"
 #include "native_model/scene/scene.h"
 #include "native_model/scene/text.h"
 #include "native_model/scene/units.h"
@@ -37,11 +43,34 @@ std::string no_library(const std::string& file) {
   const std::string library = std::filesystem::path(file).stem().string() + ".so";
   if (suffix == ".c" || suffix == ".cc" || suffix == ".cpp") {
     return fmt::format(
-        "{} is source code; build it with `{} -shared -fPIC -I PREFIX/include {} -o {}`, and give "
+        "{} is source code; build it with `{} -shared -fPIC -I $ROTORUB/native_model/control/abi "
+        "{} -o {}`, and give "
         "{}",
         file, suffix == ".c" ? "cc" : "c++", file, library, library);
   }
   return "";
+}
+
+// As a user types it in a shell: in quotes only if it needs them.
+std::string typed(const std::string& word) {
+  const auto is_plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 ||
+           std::string_view("_-+=.,:/%@").find(static_cast<char>(c)) != std::string_view::npos;
+  };
+  return !word.empty() && std::ranges::all_of(word, is_plain) ? word : sweep::shell_word(word);
+}
+
+bool is_whole(double ratio) { return std::abs(ratio - std::round(ratio)) < 1e-6; }
+
+// The largest step up to `step` that divides the sample time into at most a hundred steps more and
+// is a whole number of tenths of a microsecond; otherwise the largest that divides it.
+double dividing_step(double sample, double step) {
+  constexpr double kTenths = 1e7;
+  const double fewest = std::ceil(sample / step - 1e-6);
+  for (double count = fewest; count < fewest + 100.0; ++count) {
+    if (is_whole(kTenths * sample / count)) return sample / count;
+  }
+  return sample / fewest;
 }
 
 }  // namespace
@@ -113,6 +142,18 @@ std::vector<std::string> overrides_of(const CommonOptions& options) {
   return overrides;
 }
 
+std::string command_text(std::string_view command, const std::string& file,
+                         const CommonOptions& options) {
+  std::string text = fmt::format("rotorub {} {}", command, typed(file));
+  const auto add = [&](const char* name, const std::string& value) {
+    if (!value.empty()) text += fmt::format(" {} {}", name, typed(value));
+  };
+  add("--controller", options.controller);
+  for (const std::string& override : options.overrides) add("--set", override);
+  add("--end", options.end);
+  return text + (options.allow_library ? " --allow-library" : "");
+}
+
 scene::Scene read_scene(const std::string& file, const CommonOptions& options) {
   std::vector<std::string> overrides = overrides_of(options);
   if (!options.step.empty()) overrides.push_back("run.step=" + options.step);
@@ -125,6 +166,15 @@ scene::Scene read_scene(const std::string& file, const CommonOptions& options) {
     std::vector<scene::Diagnostic> wrong = error.diagnostics();
     for (scene::Diagnostic& d : wrong) {
       if (d.file != scene::kOverrideFile) continue;
+      if (d.key == "controller" && !options.controller.empty() &&
+          d.reason.starts_with("cannot stand beside")) {
+        d.file = "--controller";
+        d.key.clear();
+        d.reason =
+            "this scene has several contacts, and --controller sets the controller of a single "
+            "ring. Set [contact.controller] in the file. A law for magnetic bearings belongs in "
+            "[magnetic_control] kind = \"library\" (mjcf/docs/own_controller.md).";
+      }
       if (d.key == "run.step" && !options.step.empty()) d.file = "--step";
       if (d.key == "run.end" && !options.end.empty()) d.file = "--end";
     }
@@ -191,6 +241,26 @@ double quantity_of(const std::string& option, const std::string& text,
   if (parsed.error.empty()) return parsed.value;
   throw UsageError("{} {}: {}{}", option, scene::printable(text),
                    accepted.empty() ? "" : "expected ", accepted.empty() ? parsed.error : accepted);
+}
+
+void check_sample_times(const scene::Scene& scene, const CommonOptions& options) {
+  for (std::size_t k = 0; k < scene.magnetic_bearings.size(); ++k) {
+    const auto& control = scene.magnetic_bearings[k].control;
+    if (!control || !control->works() || !control->sampled()) continue;
+    const double sample = control->form == scene::ControlForm::kShared
+                              ? scene.magnetic_control->sample_time
+                              : control->sample_time;
+    const double ratio = sample / scene.run.step;
+    if (std::round(ratio) >= 1.0 && is_whole(ratio)) continue;
+    constexpr double kMicro = 1e6;
+    const std::string why = fmt::format(
+        "the sample time of {} ({:.6g} us) must be a multiple of the step ({:.6g} us). Use, for "
+        "example, --step {:.6g}us",
+        scene::magnetic_bearing_path(scene, k), kMicro * sample, kMicro * scene.run.step,
+        kMicro * dividing_step(sample, scene.run.step));
+    if (!options.step.empty()) throw UsageError("--step {}: {}", options.step, why);
+    scene::refuse_at(scene, "run.step", why);
+  }
 }
 
 void note_unitless_speed(const std::string& option, const std::string& text) {

@@ -75,6 +75,10 @@ hdf5::ImageOf hdf5_of(const std::string& format);
 
 // --controller and --set, as overrides.
 std::vector<std::string> overrides_of(const CommonOptions& options);
+// "rotorub tune rig.toml --controller law.so --set contact.friction=0.2": the command for this file
+// with --controller, --set, --end and --allow-library as given.
+std::string command_text(std::string_view command, const std::string& file,
+                         const CommonOptions& options);
 // The scene with all overrides applied, --step and --end last. Throws scene::SceneError.
 scene::Scene read_scene(const std::string& file, const CommonOptions& options);
 // Reads the scene with further overrides, after those of the options, which must outlive it.
@@ -93,6 +97,9 @@ OwnRun own_run(const CommonOptions& options);
 // `accepted`, or if that is empty the error in reading the quantity.
 double quantity_of(const std::string& option, const std::string& text,
                    const scene::Quantity& quantity, const std::string& accepted = {});
+// Throws UsageError or scene::SceneError if the fixed step (run.step, --step) does not divide the
+// sample time of a magnetic bearing's control, with a step that does.
+void check_sample_times(const scene::Scene& scene, const CommonOptions& options);
 // Writes a note to standard error if the text is a speed without a unit that looks like rpm.
 void note_unitless_speed(const std::string& option, const std::string& text);
 // A tolerance as "1%" or 0.01. A plain number of 1 or more is ambiguous and refused. Throws

@@ -94,6 +94,10 @@ std::string unknown_argument(const CLI::App& command, const std::vector<std::str
     const OptionText text = option_text(*one);
     if (!text.positional) names.insert(names.end(), text.names.begin(), text.names.end());
   }
+  if (word == "--controller" && command.get_name() == "fmu") {
+    return "fmu does not load controllers; export the scene and connect yours to command_x and "
+           "command_y";
+  }
   const std::string_view near =
       scene::nearest(word, std::vector<std::string_view>(names.begin(), names.end()));
   return fmt::format("{}: no such option{}", scene::printable(word),
@@ -119,6 +123,8 @@ std::string parser_message(const CLI::App& command, const CLI::ParseError& error
     message = unknown_argument(command, unknown);
   } else if (kind == "ArgumentMismatch" && option) {
     message = fmt::format("{}: the value {} is missing", name, option_text(*option).value);
+  } else if (const std::size_t at = said.find(" excludes "); kind == "ExcludesError" && option) {
+    message = fmt::format("Give either {} or {}, not both", name, said.substr(at + 10));
   } else if (kind == "RequiredError" && option) {
     message = fmt::format("the argument {} is missing", name);
   }
@@ -150,7 +156,7 @@ std::string unknown_command(const std::vector<std::string>& arguments,
 
 std::shared_ptr<CLI::App> new_program() {
   auto program = std::make_shared<CLI::App>(
-      "Simulates a flexible rotor that rubs in an active auxiliary bearing, in MuJoCo and in a "
+      "Simulates a flexible rotor that rubs in its auxiliary bearing, in MuJoCo and in a "
       "native "
       "model with rigid contact",
       "rotorub");

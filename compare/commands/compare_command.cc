@@ -151,8 +151,8 @@ void find_settings(const CompareArguments& options, double tolerance,
     if (subject.own || !subject.scene.first().contact) continue;
     if (!options.tune) {
       pages[k].setting =
-          fmt::format("`rotorub tune {} --tolerance {}` finds the fastest one that can be trusted",
-                      options.scenes[k], options.tolerance);
+          fmt::format("`{} --tolerance {}` finds the fastest one that can be trusted",
+                      command_text("tune", options.scenes[k], options), options.tolerance);
       continue;
     }
     pages[k].setting =
@@ -233,6 +233,9 @@ int compare(const CompareArguments& options) {
   check_tune(options, subjects);
   const MeasuredInput measured = one_measured(options);
   const Beside beside = beside_of(options);
+  for (const Subject& subject : subjects) {
+    if (!subject.own) check_sample_times(subject.scene, options);
+  }
   for (const Subject& subject : subjects)
     check_output_folder(options.folder,
                         compare_files(options.folder, subject.scene, subject.own != nullptr));

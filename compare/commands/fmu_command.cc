@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -40,6 +41,13 @@ std::vector<fmi::ArchiveFile> files_of(const scene::Scene& scene, const Stepwise
           {fmi::binary_path(scene, version), binary()}};
 }
 
+// Whether a library commands a ring.
+bool has_ring_library(const scene::Scene& scene) {
+  return std::ranges::any_of(scene.auxiliary, [](const scene::AuxiliaryBearing& at) {
+    return at.controller && at.controller->kind == scene::ControllerKind::kLibrary;
+  });
+}
+
 // JSON alone.
 result::Table ports_table(const std::string& place, const std::vector<StepwiseRun::Port>& ports) {
   result::Table table{
@@ -75,7 +83,7 @@ int write_fmu(const FmuArguments& options) {
   std::string inputs;
   for (const StepwiseRun::Port& port : run.inputs())
     inputs += fmt::format("{}{} ({})", inputs.empty() ? "" : ", ", port.name, port.unit);
-  const result::Section result{
+  result::Section result{
       .parts = {
           result::Data{"",
                        {{"scene", scene.name},
@@ -87,6 +95,13 @@ int write_fmu(const FmuArguments& options) {
           result::line(fmt::format("FMI {}, co-simulation; {} outputs; {} parameters; inputs: {}",
                                    options.version, outputs.size(), parameters.size(), inputs)),
           written_to(file)}};
+  if (has_ring_library(scene)) {
+    const bool is_current = std::ranges::find(run.inputs(), "command_1",
+                                              &StepwiseRun::Port::name) != run.inputs().end();
+    result.add({result::Sentence{fmt::format(
+        "The scene's controller is a library and is not part of the FMU; {} take its place.",
+        is_current ? "command_1 and command_2" : "command_x and command_y")}});
+  }
   return finish(result, options);
 }
 

@@ -280,7 +280,9 @@ int modes(const ModesArguments& options) {
 Command add_modes_command(CLI::App& program) {
   auto options = std::make_shared<ModesArguments>();
   CLI::App& app = add_command(
-      program, "modes", "Find whirl frequencies, critical speeds, mode shapes and lasting rubs");
+      program, "modes",
+      "Find whirl frequencies, critical speeds, mode shapes, lasting rubs, and the stability and "
+      "sensitivity of magnetic bearings");
   add_option(app, "SCENE", options->scene, "Scene file (.toml)").required();
   const Option speed =
       add_value(app, "--speed", options->speeds, "SPEED",

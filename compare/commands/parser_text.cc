@@ -49,6 +49,7 @@ OptionText option_text(const CLI::Option& option) {
   for (const CLI::Option* other : option.get_excludes()) text.excludes.push_back(other->get_name());
   text.description = option.get_description();
   text.required = option.get_required();
+  text.repeats = text.positional && option.get_items_expected_max() > 1;
   return text;
 }
 

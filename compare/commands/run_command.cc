@@ -126,6 +126,10 @@ int run(const RunArguments& options) {
   if (options.engine == "native") {
     note_idle_step(options, integrator_named(options.integrator).value_or(scene.run.integrator));
   }
+  const bool adapts = options.engine == "native" &&
+                      integrator_named(options.integrator).value_or(scene.run.integrator) ==
+                          scene::Integrator::kEvent;
+  if (!adapts) check_sample_times(scene, options);
   const path folder = options.folder.empty() ? path("runs") / (scene.name + "-" + engine->name())
                                              : path(options.folder);
   check_output_folder(folder, output_files(options, scene, folder));

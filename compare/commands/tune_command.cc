@@ -17,6 +17,7 @@
 #include "compare/tune/output.h"
 #include "compare/tune/setting.h"
 #include "compare/tune/tune.h"
+#include "native_model/control/library_file.h"
 #include "native_model/trajectory/output.h"
 
 namespace rotorub {
@@ -38,6 +39,11 @@ struct TuneArguments : CommonOptions {
   int twins = kDefaultTwins;
 };
 
+// Whether options change values of the scene, whose text then has no comments.
+bool is_changed(const TuneArguments& options) {
+  return !options.end.empty() || !overrides_of(options).empty();
+}
+
 // Writes the scene with the trusted setting and prints the result, or why nothing was written.
 void write_tuned(const TuneArguments& options, const tune::TuneResult& result) {
   if (!result.choice.trusted) {
@@ -49,10 +55,12 @@ void write_tuned(const TuneArguments& options, const tune::TuneResult& result) {
   const auto tuned = tune::tuned_text(result.scene.text, options.scene, setting);
   write_whole(options.file, tuned.text);
   say(options,
-      fmt::format("\nwritten to {0}{1}; compare it with\n  rotorub compare {0} --contact {2}\n",
-                  printable_path(options.file),
-                  tuned.comments_kept ? "" : " (without the comments of the scene)",
-                  to_string(setting.contact)));
+      fmt::format(
+          "\nwritten to {0}{1}; compare it with\n  rotorub compare {0} --contact {2}{3}\n",
+          printable_path(options.file),
+          tuned.comments_kept && !is_changed(options) ? "" : " (without the comments of the scene)",
+          to_string(setting.contact),
+          libraries_of(result.scene).empty() ? "" : " --allow-library"));
 }
 
 int run_tune(const TuneArguments& options) {

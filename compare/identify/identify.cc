@@ -206,9 +206,15 @@ Alignment alignment_at(const Residuals& residuals, const std::vector<double>& x,
 
 }  // namespace
 
+bool Result::is_exact() const {
+  constexpr double kRoundOff = 1e-12;  // of the rms of the run
+  return left_before && alignment.residual && *left_before < kRoundOff &&
+         *alignment.residual < kRoundOff;
+}
+
 bool Result::no_better() const {
   constexpr double kRoundOff = 1e-6;
-  return left_before && alignment.residual &&
+  return left_before && alignment.residual && !is_exact() &&
          *left_before < *alignment.residual * (1.0 - kRoundOff);
 }
 

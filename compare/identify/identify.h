@@ -61,7 +61,8 @@ struct Result {
   // fitted samples, with the weights of the channels, relative to the rms of the run found. Empty
   // if the record does not fit the original scene's run at all.
   std::optional<double> left_before;
-  bool no_better() const;   // the original scene has a smaller difference
+  bool is_exact() const;    // both differences are only round-off
+  bool no_better() const;   // the original scene has a smaller difference, beyond round-off
   std::size_t samples = 0;  // number of fitted samples
   int runs = 0;
   bool interrupted = false;

@@ -61,7 +61,9 @@ Section doubts(const Result& r) {
   const auto add = [&](const std::string& text) {
     all.add({Sentence{.text = text, .lead = "  - "}});
   };
-  if (r.no_better()) {
+  if (r.is_exact()) {
+    add("Both the original scene and these values fit the record to round-off.");
+  } else if (r.no_better()) {
     add("the original scene has a smaller residual than these values, so they are not the best, or "
         "its values lie outside the ranges; try other ranges");
   }

@@ -49,7 +49,7 @@ std::string synopsis(const std::string& program, const CommandText& command) {
       ".br\n" + bold(program) + " " + bold(command.name) + " [" + italic("OPTIONS") + "]";
   for (const OptionText& option : command.options) {
     if (!option.positional) continue;
-    const std::string name = italic(option.names.front());
+    const std::string name = italic(option.names.front()) + (option.repeats ? " ..." : "");
     text += option.required ? " " + name : " [" + name + "]";
   }
   return text + "\n";
@@ -58,7 +58,7 @@ std::string synopsis(const std::string& program, const CommandText& command) {
 constexpr const char* kExitStatus = R"(.SH EXIT STATUS
 .TP
 .B 0
-Done; of
+Done. For
 .BR compare :
 within the tolerance.
 .TP
@@ -74,16 +74,19 @@ no setting can be trusted.
 Usage or bad input, with file, line, key and reason.
 .TP
 .B 3
-The run diverged or could not be solved, or what was written did not arrive.
+The run failed, or output could not be written.
 .TP
-.B 130
-Interrupted.
+.BR 130 ", " 143
+Stopped by Ctrl-C or SIGTERM; the results so far are kept.
 )";
 
 constexpr const char* kRest = R"(.SH ENVIRONMENT
 .TP
 .B ROTORUB_CONTROLLER_PATH
-Folders in which an MJCF's controllers are looked up; without it an MJCF loads no code.
+Folders, separated by :, whose libraries a scene or an MJCF may load as controllers.
+Without it a scene needs
+.BR \-\-allow\-library ,
+and an MJCF loads no library.
 .SH FILES
 .TP
 .I SCENE.toml
@@ -94,9 +97,8 @@ writes one,
 lists every table and key.
 .TP
 .I librotorub_mujoco.so
-The plugin: preloaded (LD_PRELOAD) into any program of MuJoCo it runs what
-.B rotorub mjcf
-wrote.
+Preloaded with LD_PRELOAD, the plugin lets any MuJoCo program run the output of
+.BR "rotorub mjcf" .
 .SH EXAMPLES
 .nf
 rotorub init rotor \-\-speed "3000 rpm"

@@ -15,6 +15,7 @@ struct OptionText {
   std::vector<std::string> needs, excludes;  // names of options that must, or must not, be given
   std::string description;
   bool positional = false, required = false;
+  bool repeats = false;  // a positional that may be given several times
 };
 
 struct CommandText {

@@ -19,6 +19,13 @@ using result::line;
 using result::number;
 
 constexpr double kMicro = 1e6;
+constexpr double kRoundOff = 1e-10;  // of a pole, as a share of the largest
+
+double largest(const std::vector<std::complex<double>>& poles) {
+  double size = 0.0;
+  for (const auto& s : poles) size = std::max(size, std::abs(s));
+  return size;
+}
 
 // The poles with Im >= 0, by rising absolute value.
 std::vector<std::complex<double>> shown_poles(const Levitation& levitation) {
@@ -31,9 +38,18 @@ std::vector<std::complex<double>> shown_poles(const Levitation& levitation) {
   return shown;
 }
 
+// The poles with parts that are only round-off set to 0.
+void clear_round_off(std::vector<std::complex<double>>& poles) {
+  const double least = kRoundOff * largest(poles);
+  for (auto& s : poles) {
+    s = {std::abs(s.real()) < least ? 0.0 : s.real(), std::abs(s.imag()) < least ? 0.0 : s.imag()};
+  }
+}
+
 std::vector<result::Part> pole_parts(const Levitation& levitation) {
   constexpr std::size_t kRows = 20;
   auto poles = shown_poles(levitation);
+  clear_round_off(poles);
   const std::size_t left = poles.size() - std::min(kRows, poles.size());
   poles.resize(poles.size() - left);
   result::Table table;
@@ -46,9 +62,19 @@ std::vector<result::Part> pole_parts(const Levitation& levitation) {
   std::vector<result::Part> parts{table};
   if (left > 0)
     parts.push_back(line(fmt::format("  and {} faster ones, in the output of --json", left)));
-  if (!levitation.stable())
-    parts.push_back(line("  it is unstable, so there are no sensitivities of a working loop"));
   return parts;
+}
+
+// Whether the sensitivities are those of a stable loop.
+std::vector<result::Part> validity_parts(const Levitation& levitation) {
+  if (levitation.unstable()) {
+    return {
+        line("  The closed loop is unstable, so it has no sensitivity and no zone of ISO "
+             "14839-3.")};
+  }
+  if (!levitation.poles_refused.empty() && !levitation.loops.empty())
+    return {line("  Its stability is unknown; the sensitivities are valid only if it is stable.")};
+  return {};
 }
 
 // A row per loop, which begins with the bearing and the axis.
@@ -69,6 +95,12 @@ result::Table sensitivity_table(const Levitation& levitation) {
   table.columns[0].key = "bearing";
   table.columns[1].key = "axis";
   const auto add = result::column_adder(table, levitation.loops);
+  if (levitation.unstable()) {
+    for (const char* key : {"sensitivity", "frequency", "zone"})
+      add({key}, [](auto&) { return result::Item{nullptr}; });
+    table.seen = result::kJson;
+    return table;
+  }
   add({"sensitivity", "largest |S|", 16}, [](auto& s) { return number(s.peak, 4); });
   add({"", "dB", 10}, [](auto& s) { return number(20.0 * std::log10(s.peak), 3); });
   add({"frequency", "at Hz", 14}, [](auto& s) { return number(s.frequency, 5, kHz); });
@@ -122,6 +154,10 @@ bool has_loop(const Levitation& levitation) {
   return !levitation.loops.empty() || !levitation.poles_refused.empty();
 }
 
+bool has_poles(const Levitation& levitation) {
+  return has_loop(levitation) && levitation.poles_refused.empty();
+}
+
 std::string levitation_title(double speed, const Levitation& levitation) {
   return fmt::format("closed loop of the magnetic bearings at {:.6g} rad/s{}", speed,
                      levitation.sample_time > 0.0
@@ -129,19 +165,33 @@ std::string levitation_title(double speed, const Levitation& levitation) {
                          : "");
 }
 
+std::string instability_text(double speed, const Levitation& levitation) {
+  if (!levitation.poles_refused.empty())
+    return fmt::format("Stability is unknown, because {}.", levitation.poles_refused);
+  if (!levitation.unstable()) return "";
+  const std::complex<double>& worst = levitation.poles.front();
+  const double at = std::abs(worst.imag()), round_off = kRoundOff * largest(levitation.poles);
+  return fmt::format(
+      "The closed loop of the magnetic bearings is unstable at {:.6g} rpm: {} {}.",
+      std::abs(speed) * kRpm,
+      at > round_off ? fmt::format("a motion at {:.5g} rad/s", at) : "a motion without oscillation",
+      worst.real() > round_off ? fmt::format("grows at {:.4g} 1/s", worst.real())
+                               : "does not decay");
+}
+
 result::Section levitation_section(double speed, const Levitation& levitation) {
   using result::Data;
+  const std::string& refused = levitation.poles_refused;
   result::Section section{
       "levitation",
       {Data{"sample_time", levitation.sample_time}, Data{"poles", poles_json(levitation)},
-       Data{"poles_refused", nullptr}, Data{"loops", json::array()},
+       Data{"poles_refused", refused.empty() ? json() : json(refused)},
+       Data{"loops", json::array()},
        line("\n" + levitation_title(speed, levitation), result::Role::kHeading)}};
-  if (!levitation.poles_refused.empty())
-    section.add({result::Sentence{.text = levitation.poles_refused,
-                                  .lead = "  poles: none, ",
-                                  .wraps = false,
-                                  .place = "poles_refused"}});
-  if (levitation.poles_refused.empty()) section.add(pole_parts(levitation));
+  if (!refused.empty())
+    section.add({line(fmt::format("  The poles are unknown, because {}.", refused))});
+  if (refused.empty()) section.add(pole_parts(levitation));
+  section.add(validity_parts(levitation));
   if (!levitation.loops.empty()) section.add({sensitivity_table(levitation)});
   if (!levitation.steps.empty()) {
     section.add(step_parts(levitation));

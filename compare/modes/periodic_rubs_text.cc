@@ -96,7 +96,7 @@ result::Table rubs_table(const PeriodicRubs& all) {
     table.rows[k].data = {{"contacts", contacts}};
     std::string words = fmt::format("from: {}", fmt::join(all.rubs[k].starts, ", "));
     if (!all.contacts[all.rubs[k].contact].empty())
-      words += fmt::format("; contact {}", all.contacts[all.rubs[k].contact]);
+      words += fmt::format("; contact \"{}\"", all.contacts[all.rubs[k].contact]);
     table.rows[k].note = {.text = words, .lead = "    "};
   }
   return table;

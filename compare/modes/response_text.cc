@@ -44,7 +44,8 @@ std::vector<result::Part> orbit_parts(const ContactPlace& place, const TimedOrbi
   using result::Data, result::Sentence;
   const FreeOrbit& orbit = at.orbit;
   const std::string where = fmt::format(
-      "response at {}{}", place.name.empty() ? "the contact" : "contact " + place.name, at.when);
+      "response at {}{}",
+      place.name.empty() ? "the contact" : fmt::format("contact \"{}\"", place.name), at.when);
   const double gap = place.clearance - orbit.largest.value_or(0.0);
   const auto known = [&](double value) { return orbit.largest ? number_or_null(value) : json(); };
   const Data data{"",

@@ -77,6 +77,10 @@ Section speed_section(const RotorAnalysis& analysis, std::size_t at) {
       {Data{"speed", speed}, Data{"rub", nullptr}, std::move(above),
        Sentence{.text = "Whirl " + at_speed, .seen = result::kPage, .role = Role::kHeading},
        whirl_table("modes", modes, name_of, true)}};
+  if (!analysis.levitations.empty() && has_poles(analysis.levitations[at]))
+    section.add(
+        {line("  This table leaves out integrators, filters, amplifiers and sampling. The "
+              "poles below include them.")});
   const bool several = analysis.rubs.size() > 1;
   section.add(
       {Section{"", {response_part(analysis, at, 0)}, several ? result::kJson : result::kAll}});
@@ -164,11 +168,36 @@ std::vector<Part> critical_parts(const RotorAnalysis& analysis) {
   return parts;
 }
 
+// Where the closed loop of magnetic bearings is unstable or unknown at a speed, this replaces the
+// stability of the whirl, which leaves out parts of the controls.
+std::vector<Part> stability_lines(const RotorAnalysis& analysis) {
+  std::vector<std::string> sentences;
+  bool has_control = false;
+  for (std::size_t k = 0; k < analysis.levitations.size(); ++k) {
+    if (!has_loop(analysis.levitations[k])) continue;
+    has_control = true;
+    const std::string text = instability_text(analysis.spectra[k].speed, analysis.levitations[k]);
+    if (!text.empty() && (sentences.empty() || sentences.back() != text)) sentences.push_back(text);
+  }
+  if (sentences.empty()) {
+    const std::string text = stability_text(analysis);
+    sentences.push_back(
+        has_control ? "Whirl without integrators, filters, amplifiers and sampling: " + text +
+                          ". The poles include them."
+                    : text);
+  }
+  std::vector<Part> parts{line("")};
+  for (const std::string& sentence : sentences) parts.push_back(Sentence{.text = sentence});
+  return parts;
+}
+
 std::vector<Part> stability_parts(const RotorAnalysis& analysis) {
-  return {Data{"stability_threshold", number_or_null(analysis.stability_threshold())},
-          Data{"stability_bound", number_or_null(analysis.stability_bound)},
-          Data{"unstable_ranges", ranges_json(analysis.unstable)},
-          line("\n" + stability_text(analysis))};
+  std::vector<Part> parts{
+      Data{"stability_threshold", number_or_null(analysis.stability_threshold())},
+      Data{"stability_bound", number_or_null(analysis.stability_bound)},
+      Data{"unstable_ranges", ranges_json(analysis.unstable)}};
+  for (Part& part : stability_lines(analysis)) parts.push_back(std::move(part));
+  return parts;
 }
 
 std::vector<Part> contact_mass_parts(const std::optional<ContactMass>& mass) {
@@ -195,6 +224,9 @@ json plane_json(const PlaneShapes& plane) {
   return modes;
 }
 
+// 0 instead of a value that is written as 0.0000, so that it has no sign.
+double without_round_off(double value) { return std::abs(value) < 5e-5 ? 0.0 : value; }
+
 // One column per mode: its frequency at rest, then its value at each station. In JSON the stations
 // at the place, if there is one.
 std::vector<Part> plane_parts(const std::string& title, const std::string& place,
@@ -209,7 +241,7 @@ std::vector<Part> plane_parts(const std::string& title, const std::string& place
     column_adder(table, plane.at_stations.col(j))(
         {"", fmt::format("{:.5g} Hz", plane.frequency[j] * kHz), 13,
          j < kColumns ? result::kPeople : result::kPage},
-        [](double value) { return Item{.text = fmt::format("{:.4f}", value)}; });
+        [](double value) { return Item{.text = fmt::format("{:.4f}", without_round_off(value))}; });
   std::vector<Part> parts{
       line("\nmode shapes at rest, 1 at the contact or at the peak, " + title, Role::kHeading),
       table};
@@ -293,12 +325,12 @@ std::string orbit_text(const RubPoint& point) {
 std::string rolling_text(const RubPoint& point) {
   std::string text;
   for (const auto& [from, to] : point.rolling_ranges) {
-    text += text.empty() ? "" : ", ";
+    text += text.empty() ? "" : " and of ";
     text += std::isfinite(to) ? fmt::format("{:.7g} to {:.7g} rad/s", from, to)
                               : fmt::format("above {:.7g} rad/s", from);
   }
   if (text.empty()) return "friction is too low for backward rolling at all speeds";
-  return "backward rolling is possible: " + text;
+  return fmt::format("Friction can sustain backward rolling at whirl speeds of {}", text);
 }
 
 // All of a point but its rubs, which stand above.
@@ -357,12 +389,17 @@ std::vector<Part> driven_parts(const RubAnalysis& analysis) {
 std::vector<Part> rubs_parts(const RotorAnalysis& analysis) {
   if (analysis.rubs.empty()) return {};
   std::vector<Part> parts{Data{"rub_refused", text_or_null(analysis.rubs.front().refused)}};
+  // A reason that applies to every contact is given once.
+  const bool same_refusal = !analysis.rubs.front().refused.empty() &&
+                            std::ranges::all_of(analysis.rubs, [&](const RubAnalyses& rubs) {
+                              return rubs.refused == analysis.rubs.front().refused;
+                            });
   for (std::size_t k = 0; k < analysis.rubs.size(); ++k) {
     const RubAnalyses& rubs = analysis.rubs[k];
     const bool several = !rubs.contact.empty();
-    if (several)
+    if (several && !same_refusal)
       parts.emplace_back(
-          line(fmt::format("\ncontact {}, the others open", rubs.contact), Role::kHeading));
+          line(fmt::format("\ncontact \"{}\", the others open", rubs.contact), Role::kHeading));
     for (std::size_t at = 0; at < rubs.at.size(); ++at) {
       Section rub = rub_result(rubs.at[at]);
       if (several && k == 0) {
@@ -373,9 +410,11 @@ std::vector<Part> rubs_parts(const RotorAnalysis& analysis) {
                           : fmt::format("speeds/{}/rub", at);
       parts.insert(parts.end(), {line(""), std::move(rub)});
     }
-    if (!rubs.refused.empty())
+    if (!rubs.refused.empty() && !same_refusal)
       parts.emplace_back(line(fmt::format("\nlasting rubs: {}", rubs.refused)));
   }
+  if (same_refusal)
+    parts.emplace_back(line(fmt::format("\nlasting rubs: {}", analysis.rubs.front().refused)));
   const auto is_refused = [](const RubAnalyses& rubs) { return !rubs.refused.empty(); };
   if (analysis.periodic_rubs) {
     parts.emplace_back(periodic_rubs_result(*analysis.periodic_rubs));

@@ -80,8 +80,8 @@ void note_modes_left_out(scene::Scene free, int modes, const std::vector<double>
       if (!few || !many || std::abs(*many - *few) <= kModesMatter * *many) continue;
       response.few_modes.push_back(fmt::format(
           "the response{} uses the {} modes kept; with {} modes it is {:.3g} µm ({:+.2g} %)",
-          place.name.empty() ? "" : " at contact " + place.name, modes, 2 * modes, 1e6 * *many,
-          100.0 * (*many / *few - 1.0)));
+          place.name.empty() ? "" : fmt::format(" at contact \"{}\"", place.name), modes, 2 * modes,
+          1e6 * *many, 100.0 * (*many / *few - 1.0)));
     }
   }
 }

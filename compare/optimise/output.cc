@@ -34,6 +34,18 @@ End end_of(const Task& task, std::size_t key, double value) {
   return End::kNone;
 }
 
+// "<= 150"
+std::string limit_text(const Constraint& c) {
+  return fmt::format("{} {}", c.is_max ? "<=" : ">=", short_number(c.limit));
+}
+
+std::string ending_text(const Optimum& optimum) {
+  const std::size_t count = optimum.evaluations.size();
+  if (optimum.ending == Ending::kEvaluations)
+    return fmt::format("stopped at the limit of {} evaluations", count);
+  return fmt::format("{} evaluations, {}", count, to_string(optimum.ending));
+}
+
 std::string nothing_text(const Optimum& optimum) {
   const Evaluation* nearest = nullptr;
   for (const Evaluation& e : optimum.evaluations) {
@@ -77,19 +89,22 @@ Section best_of(const Task& task, const Optimum& optimum) {
                     {{.key = "figure", .width = kNames},
                      {.key = "max", .seen = result::kJson},
                      {.key = "min", .seen = result::kJson},
-                     {.key = "value"}}};
+                     {.key = "value", .seen = result::kJson}}};
   for (std::size_t k = 0; k < best.constraints.size(); ++k) {
     const Constraint& c = goal.constraints[k];
     const result::Item limit{c.limit}, none;
-    constraints.rows.push_back({.items = {{c.figure.text, constraint_text(c)},
-                                          c.is_max ? limit : none,
-                                          c.is_max ? none : limit,
-                                          item(*best.constraints[k], unit_of(c.figure))}});
+    const std::string unit = unit_of(c.figure);
+    const result::Item value = item(*best.constraints[k], unit);
+    const std::string met = fmt::format("constraint met: {} ={} {}{}", c.figure.text, value.text,
+                                        limit_text(c), unit.empty() ? "" : " " + unit);
+    constraints.rows.push_back(
+        {.items = {{c.figure.text, met}, c.is_max ? limit : none, c.is_max ? none : limit, value}});
   }
   for (Table* table : {&values, &figure, &constraints}) table->seen = result::kNotPage;
   const std::string edge = edge_text(task, optimum);
-  const std::string answer = fmt::format("{} is {} at evaluation {}, where it is{}: {}.",
-                                         goal.figure.text, goal.maximise ? "greatest" : "least",
+  const std::string answer = fmt::format("{}{} is {} at evaluation {}:{}, with {}.",
+                                         goal.constraints.empty() ? "" : "Within the constraints, ",
+                                         goal.figure.text, goal.maximise ? "largest" : "smallest",
                                          *optimum.best, reached.text, fmt::join(places, ", "));
   return {
       "best",
@@ -120,9 +135,7 @@ std::string unit_of(const FigurePath& figure) {
   return key == keys.end() ? std::string() : std::string(key->unit);
 }
 
-std::string constraint_text(const Constraint& c) {
-  return fmt::format("{} {} {}", c.figure.text, c.is_max ? "<=" : ">=", short_number(c.limit));
-}
+std::string constraint_text(const Constraint& c) { return c.figure.text + " " + limit_text(c); }
 
 Section result_of(const std::string& name, const Task& task, const Optimum& optimum) {
   const char* goal = task.goal.maximise ? "maximise" : "minimise";
@@ -135,8 +148,7 @@ Section result_of(const std::string& name, const Task& task, const Optimum& opti
                                                      scene::printable(figure)),
                                  .wraps = false,
                                  .seen = result::kNotPage},
-                        Sentence{.text = fmt::format("{} evaluations, {}{}{}", count, ending,
-                                                     edge.empty() ? "" : ", ", edge),
+                        Sentence{.text = ending_text(optimum) + (edge.empty() ? "" : ", " + edge),
                                  .lead = "  "}}};
   if (optimum.best) {
     all.add({best_of(task, optimum)});

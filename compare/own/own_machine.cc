@@ -352,8 +352,8 @@ plugin::NativeTwin OwnMachine::twin(const mjModel* m, const plugin::Config& conf
     made.scene.first().actuator.emplace().force_limit = limit;
     if (std::isfinite(limit)) {
       made.limits.push_back(fmt::format(
-          "of what the ctrlranges of the ring's motors allow the controller has, on both "
-          "sides, |F_x| + |F_y| <= {:.6g} N: native actuators stand at 45 degrees",
+          "ring motors: on both sides the controller is limited to |F_x| + |F_y| <= {:.6g} N, "
+          "less than the ctrlranges allow, because native actuators stand at 45 degrees",
           limit * std::numbers::sqrt2));
     }
   }

@@ -90,7 +90,10 @@ def read(folder):
     if not (folder / "series.csv").exists() and (folder / _HDF5).exists():
         return read_hdf5(folder / _HDF5)
     if not (folder / "summary.json").exists():
-        raise FileNotFoundError(f"{folder}: no run: summary.json is missing")
+        raise FileNotFoundError(
+            f"{folder} is not the folder of a run (summary.json is missing). Give the folder of "
+            "rotorub run -o DIR, or use read_compare for the folder of rotorub compare."
+        )
     files = {name: folder / f"{name}.csv" for name in _TABLES}
     # A run of an earlier version has no keyphasor.csv.
     tables = {name: _table(file) if name != "keyphasor" or file.exists() else {} for name, file in files.items()}

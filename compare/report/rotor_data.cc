@@ -182,7 +182,8 @@ json loop_data(const RotorAnalysis& analysis) {
   for (const Levitation& levitation : analysis.levitations) {
     if (!has_loop(levitation)) continue;
     json sensitivity = json::array();
-    for (Eigen::Index k = 0; k < levitation.sensitivities.rows(); ++k) {
+    const Eigen::Index shown = levitation.unstable() ? 0 : levitation.sensitivities.rows();
+    for (Eigen::Index k = 0; k < shown; ++k) {
       const Eigen::VectorXd sizes = levitation.sensitivities.row(k);
       sensitivity.push_back(series(levitation.frequencies, {sizes.begin(), sizes.end()}, kBuckets));
     }

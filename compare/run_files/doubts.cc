@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "native_model/scene/record.h"
+#include "native_model/trajectory/columns.h"
 
 namespace rotorub {
 namespace {
@@ -63,6 +65,39 @@ void doubt_tables(const scene::RotorGeometry& shaft, double speed, std::vector<s
   }
 }
 
+// Share of the rows from the first with a force of the actuator on in which an axis is at its
+// limit.
+double saturated_share(const Trajectory& run, std::size_t contact, double limit) {
+  constexpr double kAtLimit = 0.999;
+  const auto &x = run.column(column_of_contact(contact, "control_x")),
+             &y = run.column(column_of_contact(contact, "control_y"));
+  std::size_t rows = 0, saturated = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (rows == 0 && x[i] == 0.0 && y[i] == 0.0) continue;
+    ++rows;
+    const double on_an_axis = (std::abs(x[i]) + std::abs(y[i])) / std::numbers::sqrt2;
+    if (on_an_axis >= kAtLimit * limit) ++saturated;
+  }
+  return rows == 0 ? 0.0 : static_cast<double>(saturated) / static_cast<double>(rows);
+}
+
+void doubt_saturation(const scene::Scene& scene, const Trajectory& run,
+                      std::vector<std::string>& all) {
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    const auto& actuator = scene.auxiliary[k].actuator;
+    if (!actuator || actuator->kind != scene::ActuatorKind::kIdeal) continue;
+    if (!std::isfinite(actuator->force_limit) || !run.has(column_of_contact(k, "control_x")))
+      continue;
+    const double share = saturated_share(run, k, actuator->force_limit);
+    if (share <= kMostSaturation) continue;
+    all.push_back(fmt::format(
+        "{}the actuator is at its limit of {:.4g} N (actuator.force_limit) for {:.0f} % of the "
+        "time since switch-on",
+        scene.auxiliary.size() > 1 ? fmt::format("{}: ", scene.name_of(k)) : std::string(),
+        actuator->force_limit, 100.0 * share));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> doubts(const scene::Scene& scene) {
@@ -118,6 +153,7 @@ std::vector<std::string> doubts(const scene::Scene& scene, const Trajectory& run
         "warning disappears, or use run.integrator = \"event\"",
         100.0 * off, run.step));
   }
+  doubt_saturation(scene, run, all);
   return all;
 }
 

@@ -1,5 +1,6 @@
 // Warnings about values of a scene that are probably mistakes (a missing unit, an extra zero, a law
-// that never acts), and about a run whose energy balance is off. Nothing is refused.
+// that never acts), and about a run whose energy balance is off or whose actuator is saturated.
+// Nothing is refused.
 #pragma once
 
 #include <string>
@@ -21,6 +22,8 @@ inline constexpr double kMostEccentricity = 0.01;  // m
 inline constexpr double kLateInstant = 10.0;
 // Largest energy error of a native run with fixed steps, relative to its largest energy.
 inline constexpr double kMostEnergyError = 0.01;
+// Largest share of the time since switch-on that an actuator may be at its limit.
+inline constexpr double kMostSaturation = 0.5;
 
 // One sentence per doubtful value, with its key.
 std::vector<std::string> doubts(const scene::Scene& scene);

@@ -267,7 +267,7 @@ json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
 
 std::string rub_answer(const Metrics& m, std::optional<double> cut) {
   if (!m.first_touch && cut)
-    return fmt::format("not until {} ms, where the run was cut short", short_number(1e3 * *cut));
+    return fmt::format("no contact up to {} ms, where the run stopped", short_number(1e3 * *cut));
   if (!m.first_touch) {
     if (!m.least_gap) return "no, rotor and ring do not touch";
     return fmt::format("no, the rotor stays {} µm clear of the ring",

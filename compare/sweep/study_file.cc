@@ -79,12 +79,15 @@ class StudyReader {
     read_scene(top);
     // An optimisation chooses its own points.
     study_.kind = SampleKind::kRandom;
-    if (use == StudyUse::kSweep || top.has("sample")) read_sample(top);
-    read_all_vary();
-    if (use == StudyUse::kOptimise) check_ranges();
-    check_size();
+    const bool is_known = (use != StudyUse::kSweep && !top.has("sample")) || read_sample(top);
+    // Which keys [[vary]] may have depends on the kind of [sample].
+    if (is_known) {
+      read_all_vary();
+      if (use == StudyUse::kOptimise) check_ranges();
+      check_size();
+    }
     read_run(top);
-    if (top.has("statistics")) read_statistics(top);
+    if (is_known && top.has("statistics")) read_statistics(top);
     if (!diagnostics_.empty()) throw scene::SceneError(std::move(diagnostics_));
     study_.identity = study_identity(study_.text) + study_.points;
     return std::move(study_);
@@ -119,12 +122,17 @@ class StudyReader {
     }
   }
 
-  void read_sample(const StudyTable& top) {
+  // Returns false if the kind is missing or unknown.
+  bool read_sample(const StudyTable& top) {
     const StudyTable table = top.table("sample", {"kind", "runs", "seed", "file"});
     const std::vector<std::string_view> kinds{"grid", "latin_hypercube", "list", "random", "sobol"};
     const auto kind = table.word<SampleKind>("kind", kinds);
-    if (!table.has("kind")) table.missing("kind", "one of " + scene::join(kinds));
-    if (!kind) return;
+    if (!table.has("kind")) {
+      table.fail("kind",
+                 "is missing. Add [sample] kind = \"grid\", or choose list, random, "
+                 "latin_hypercube or sobol.");
+    }
+    if (!kind) return false;
     study_.kind = *kind;
     if (table.has("file") && study_.kind != SampleKind::kList)
       table.fail("file", "belongs to kind = \"list\"; remove it, or change the kind");
@@ -140,7 +148,7 @@ class StudyReader {
       if (!table.has("runs")) table.missing("runs", "the number of points, 1 or more");
       study_.runs = table.whole("runs", 1, kMostPoints).value_or(1);
       study_.seed = static_cast<std::uint64_t>(table.whole("seed", 0, INT64_MAX).value_or(0));
-      return;
+      return true;
     }
     for (const char* key : {"runs", "seed"}) {
       if (table.has(key))
@@ -148,6 +156,7 @@ class StudyReader {
                    "belongs to kind = \"random\", \"latin_hypercube\" or \"sobol\", whose points "
                    "are drawn");
     }
+    return true;
   }
 
   void read_all_vary() {

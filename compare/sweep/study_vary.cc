@@ -98,7 +98,7 @@ void read_whole_range(const StudyTable& table, SampleKind kind, Vary& vary) {
 
 void read_range(const StudyTable& table, const scene::Key* key, SampleKind kind, Vary& vary) {
   if (kind != SampleKind::kGrid && table.has("count"))
-    table.fail("count", "belongs to a grid; [sample] runs sets the number of drawn points");
+    table.fail("count", "is only for a grid. With random points, set [sample] runs.");
   if (key != nullptr && key->type == scene::ValueType::kWhole)
     return read_whole_range(table, kind, vary);
   if (!takes_number(vary.key, key)) {

@@ -42,6 +42,24 @@ std::string failure_of(Action action) {
   return text.empty() ? "no reason given" : scene::printable(text, kReasonRoom);
 }
 
+// The message about a library without the function of this kind of law. It may have the function of
+// the other kind.
+template <class Kind>
+std::string absent(void* library, const std::filesystem::path& file) {
+  constexpr bool is_ring = std::is_same_v<Kind, RingLaw>;
+  using Other = std::conditional_t<is_ring, MagneticLaw, RingLaw>;
+  const std::string name = scene::printable(file.filename().string(), kNameRoom);
+  if (dlsym(library, Other::kSymbol) == nullptr) {
+    return name + " does not export " + Kind::kSymbol + ", so it is not a controller for " +
+           (is_ring ? "rotorub" : "magnetic bearings") + " (see rotorub/controller.h).";
+  }
+  const std::string commands = name + " commands " + (is_ring ? "magnetic bearings" : "a ring") +
+                               " (" + Other::kSymbol + "), but this key sets " +
+                               (is_ring ? "a ring's controller" : "the law of magnetic bearings");
+  return commands + ". Set [" + (is_ring ? "magnetic_control" : "controller") +
+         "] kind = \"library\" and library = \"" + name + "\".";
+}
+
 }  // namespace
 
 template <class Kind>
@@ -51,13 +69,13 @@ SharedLaw<Kind>::SharedLaw(const std::filesystem::path& file) : library_(opened(
   };
   const auto get =
       reinterpret_cast<const typename Kind::Functions* (*)()>(dlsym(library_.get(), Kind::kSymbol));
-  if (get == nullptr)
-    refuse(std::string("no function ") + Kind::kSymbol + " (rotorub/controller.h)");
+  if (get == nullptr) throw std::runtime_error(absent<Kind>(library_.get(), file));
   functions_ = get();
   if (functions_ == nullptr) refuse("returns no controller");
   if (functions_->abi != Kind::kAbi) {
     refuse("is of controller ABI " + std::to_string(functions_->abi) +
-           ", but this program needs ABI " + std::to_string(Kind::kAbi));
+           ", but this program needs ABI " + std::to_string(Kind::kAbi) +
+           ". Rebuild it with this program's rotorub/controller.h.");
   }
   if (functions_->create == nullptr || functions_->step == nullptr)
     refuse("has no create() or no step()");

@@ -291,8 +291,11 @@ void refuse_steady(const scene::Scene& scene, const std::string& why) {
 FreeMotion free_motion(const scene::Scene& scene, const Model& m) {
   const Layout& l = m.layout;
   if (const StationFeedback* feedback = sampled(m)) {
-    refuse_steady(scene, "the control of " + scene::magnetic_bearing_path(scene, feedback->number) +
-                             " is sampled, so no orbit is steady; set false");
+    refuse_steady(scene,
+                  scene::magnetic_bearing_name(scene, feedback->number) +
+                      " is sampled, so no orbit is steady; a steady start is not available. Remove "
+                      "this key; the run then starts centred and at rest, so let it settle before "
+                      "the bearing fails");
   }
   const Bending b = bending(m);
   check_stability(scene, m);

@@ -47,6 +47,8 @@ struct Levitation {
   // (linear_loop.h).
   std::vector<StepResponse> steps;
   Eigen::VectorXd unbalance;
+  // Both are false if the poles are unknown.
+  bool unstable() const { return !stable() && poles_refused.empty() && !poles.empty(); }
   bool stable() const { return poles_refused.empty() && !poles.empty() && poles[0].real() < 0.0; }
 };
 

@@ -38,10 +38,9 @@ void put_planes(Eigen::MatrixXd& matrix, Eigen::Index column, const ModeShape& s
 std::string loop_refusal(const Model& m) {
   for (const SampledFeedback& s : m.samplers) {
     if (s.library != nullptr)
-      return "a library commands the magnetic bearings (magnetic_control.library), and its law is "
-             "unknown";
+      return "a library commands the magnetic bearings (magnetic_control.library)";
     if (s.sample_time != m.samplers.front().sample_time)
-      return "its controls have different sample times";
+      return "the controls of the magnetic bearings have different sample times";
   }
   return {};
 }

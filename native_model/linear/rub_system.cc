@@ -39,6 +39,14 @@ struct Checks {
   }
 };
 
+// Whether something other than magnetic bearings and rings holds the rotor.
+bool has_other_support(const scene::Scene& scene) {
+  const scene::Rotor& rotor = scene.rotor;
+  if (rotor.geometry) return !rotor.geometry->bearings.empty();
+  return !rotor.modal ||
+         std::ranges::all_of(rotor.modal->stiffness, [](double k) { return k > 0.0; });
+}
+
 // Requires a linear law: it works always and without limits, or has failed.
 void check_feedback(const Checks& check, std::size_t bearing,
                     const scene::MagneticBearing& magnetic) {
@@ -52,7 +60,11 @@ void check_feedback(const Checks& check, std::size_t bearing,
   check(control.works_from > 0.0, path + "on",
         "the machine must not change in time; leave this key out");
   check(control.fails_at < scene::kNever, path + "fails_at",
-        "the machine must not change in time; leave this key out, or set 0 (it has failed)");
+        scene::magnetic_bearing_name(check.scene, bearing) + " fails during the run" +
+            (has_other_support(check.scene)
+                 ? ". Add --set magnetic_bearing.control.fails_at=0 for the machine after the "
+                   "failure"
+                 : ", and after that only rings hold the rotor"));
   const auto has_no_state = [&](bool has, const std::string& key, const char* what) {
     check(has, key,
           std::string("the analysis has no state for ") + what + "; leave it out, or set " + path +

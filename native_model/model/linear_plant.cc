@@ -132,12 +132,19 @@ std::string beyond_linear_plant(const scene::Scene& scene, std::size_t bearing, 
     const auto working = std::ranges::find_if(
         s.bearings, [&](std::size_t k) { return model.feedbacks[k].works.at(0.0); });
     if (working == s.bearings.end()) continue;
-    const std::string control =
-        "the control of " + scene::magnetic_bearing_path(scene, model.feedbacks[*working].number);
-    if (s.library)
-      return control + " is a library, which the linear plant of this law cannot include";
-    if (every == 0.0)
-      return control + " is sampled, and matrices in continuous time have no samples";
+    const std::size_t number = model.feedbacks[*working].number;
+    const std::string named = scene::magnetic_bearing_name(scene, number);
+    const std::string control = "the control of " + named;
+    if (s.library) {
+      return "the linear plant cannot include " + named +
+             ", because a library commands it. Add --set " +
+             scene::magnetic_bearing_path(scene, number) +
+             ".control.fails_at=0 for the plant without it";
+    }
+    if (every == 0.0) {
+      return "a continuous plant cannot include the sampled control of " + named +
+             ". Set its sample_time to 0, or its fails_at to 0";
+    }
     const double samples = every / s.sample_time;
     if (samples < 0.5 || std::abs(samples - std::round(samples)) > 1e-9 * samples) {
       return control + " is sampled every " + scene::number_text(s.sample_time) +

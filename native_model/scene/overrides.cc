@@ -167,6 +167,13 @@ bool is_known(const std::vector<Step>& steps) {
   return find_key(path) != nullptr || find_table(path) != nullptr;
 }
 
+// True if "none" is one of the words of this key, so that it sets the key and removes nothing.
+bool has_word_none(const std::vector<Step>& steps) {
+  const Table* table = find_table(table_path(steps));
+  const Key* key = table != nullptr ? table->find(steps.back().key) : nullptr;
+  return key != nullptr && std::ranges::find(key->words, "none") != key->words.end();
+}
+
 // Turns a constant mu into a friction law before a key of [contact.friction] is set.
 void as_friction_law(TomlNode& node) {
   if (node.kind == Kind::kTable) return;
@@ -178,7 +185,7 @@ void as_friction_law(TomlNode& node) {
 // Applies the override. Returns the reason if it cannot be applied, else an empty string.
 std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_view text) {
   // An unknown key is set like any other, so that the reader refuses it by name.
-  const bool removing = text == "none" && is_known(steps);
+  const bool removing = text == "none" && is_known(steps) && !has_word_none(steps);
   TomlNode* node = &root;
   std::string reason, path;
   for (std::size_t i = 0; i + 1 < steps.size(); ++i) {

@@ -2,6 +2,7 @@
 //
 //   contact.friction=0.2      run.end=100ms      force[0].amplitude=200    force.0.amplitude=200
 // gravity={acceleration=[0,-9.81]}             controller=none (removes a table or a key)
+// controller.sensors.velocity=none (the value, because it is a word of this key)
 // A value that is not TOML is taken as a string: a bare word or a quantity with a unit. A new
 // `kind` removes the keys of that table that belong only to other kinds. A new run.end removes
 // later output_times of the file.

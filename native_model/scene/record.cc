@@ -53,6 +53,12 @@ std::string magnetic_bearing_path(const Scene& scene, std::size_t bearing) {
   return listed ? element : "magnetic_bearing";
 }
 
+std::string magnetic_bearing_name(const Scene& scene, std::size_t bearing) {
+  const std::string path = magnetic_bearing_path(scene, bearing);
+  if (!path.ends_with(']')) return "the magnetic bearing";
+  return "magnetic bearing " + std::to_string(bearing + 1) + " (" + path + ")";
+}
+
 std::vector<Diagnostic> placed(const Scene& scene, std::vector<Diagnostic> diagnostics) {
   for (Diagnostic& d : diagnostics) {
     if (!d.file.empty()) continue;

@@ -48,6 +48,9 @@ class Record {
 
 // The path of a magnetic bearing's table: "magnetic_bearing", or "magnetic_bearing[1]" in a list.
 std::string magnetic_bearing_path(const Scene& scene, std::size_t bearing);
+// For sentences: "magnetic bearing 2 (magnetic_bearing[1])", or "the magnetic bearing" if there is
+// no list.
+std::string magnetic_bearing_name(const Scene& scene, std::size_t bearing);
 
 // Adds file and line to each diagnostic without a file, from the position of its key. For a scene
 // made by hand only the scene's name is known.

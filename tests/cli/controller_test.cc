@@ -163,6 +163,40 @@ TEST_F(CliPythonLaw, PrintsToStandardError) {
   EXPECT_TRUE(contains(done.err, "sample 7"));
 }
 
+// Several contacts, and a law for magnetic bearings in the place of a ring's.
+TEST(CliController, OneForTheWrongPlaceIsRefusedByItsOwnOption) {
+  const Folder folder;
+  folder.done({"init", "two", "--form", "two-catchers"});
+  folder.refuses({"run", "two.toml", "--controller", kLibraries + "/own_controller.so"},
+                 {"rotorub run: --controller: this scene has several contacts",
+                  "Set [contact.controller] in the file"});
+  folder.refuses(run_with("magnetic_pd.so", {}),
+                 {"magnetic_pd.so commands magnetic bearings (rotorub_magnetic_controller_get)",
+                  "library = \"magnetic_pd.so\""});
+  folder.refuses(run_with("librotorub_hdf5.so", {}),
+                 {"does not export rotorub_controller_get, so it is not a controller"});
+}
+
+// A fixed step that does not divide the sample time is bad input, with a step that does.
+TEST(CliController, AStepThatDoesNotDivideTheSampleTimeIsRefused) {
+  const Folder folder;
+  folder.done({"init", "two", "--form", "two-catchers"});
+  const std::vector<std::string> sampled{"two.toml",
+                                         "--set",
+                                         "magnetic_bearing.control.sample_time=55us",
+                                         "--set",
+                                         "initial.steady=none",
+                                         "--end",
+                                         "1ms",
+                                         "-o",
+                                         "out"};
+  folder.refuses(with(with({"run"}, sampled), {"--integrator", "verlet", "--step", "10us"}),
+                 {"--step 10us", "magnetic_bearing[0] (55 us)", "--step 5.5us"});
+  folder.refuses(with(with({"compare"}, sampled), {"--set", "run.step=10us"}), {"run.step"});
+  folder.done(with(with({"run"}, sampled), {"--integrator", "verlet", "--step", "5.5us", "-q"}));
+  folder.done(with(with({"run"}, sampled), {"--step", "10us", "-q"}));
+}
+
 TEST(CliController, WhatCannotBeLoadedIsExit2) {
   const Folder folder;
   folder.refuses({"run", shipped("paper_sliding"), "--controller", "nowhere.so"}, {"nowhere.so"});

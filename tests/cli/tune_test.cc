@@ -1,6 +1,8 @@
 // rotorub tune as a user starts it.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "tests/cli/program.h"
 
 namespace rotorub::test {
@@ -55,6 +57,37 @@ TEST(CliTune, JudgesAsCompareDoes) {
     }
   }
   EXPECT_GE(seen, 4 * 7);
+}
+
+// What it prints as the next command runs, with a controller from a library as well, and it says if
+// the comments of the scene are lost.
+TEST(CliTune, ThePrintedNextCommandRuns) {
+  const Folder folder;
+  const std::string law = std::string(ROTORUB_LIBRARIES) + "/own_controller.so";
+  const Outcome tuned =
+      folder.run({"tune", shipped("bench_ring"), "--controller", law, "--set",
+                  "controller.sample_time=50us", "--end", "5ms", "--steps", "50us,10us",
+                  "--tolerance", "100%", "--twins", "0", "-o", "tuned.toml"});
+  ASSERT_EQ(tuned.code, 0) << tuned.out << tuned.err;
+  EXPECT_TRUE(contains(tuned.out, {"(without the comments of the scene)", "--allow-library"}));
+  EXPECT_FALSE(contains(folder.text("tuned.toml"), "# "));
+  const Outcome judged = folder.run({"compare", "tuned.toml", "--allow-library", "--twins", "0",
+                                     "--no-video", "--no-modes-ladder", "--quiet", "-o", "out"});
+  EXPECT_LE(judged.code, 1) << judged.err;
+}
+
+// The report recommends `tune` with the options of its comparison.
+TEST(CliTune, TheReportNamesItWithTheOptionsOfTheComparison) {
+  const Folder folder;
+  const std::string law = std::string(ROTORUB_LIBRARIES) + "/own_controller.so";
+  std::filesystem::copy_file(shipped("bench_ring"), folder.path() / "ring.toml");
+  const Outcome judged = folder.run({"compare", "ring.toml", "--controller", law, "--set",
+                                     "controller.sample_time=50us", "--end", "5ms", "--twins", "0",
+                                     "--no-video", "--no-modes-ladder", "--quiet", "-o", "out"});
+  ASSERT_LE(judged.code, 1) << judged.err;
+  EXPECT_TRUE(contains(folder.text("out/report.html"),
+                       "rotorub tune ring.toml --controller " + law +
+                           " --set controller.sample_time=50us --end 5ms --tolerance 1%"));
 }
 
 TEST(CliTune, SaysWhatCannotBeTrusted) {

@@ -26,6 +26,7 @@ usr/lib/python3/dist-packages/rotorub.py
 usr/lib/python3/dist-packages/rotorub_native.so
 usr/share/rotorub/matlab/rotorub_read.m
 usr/share/rotorub/mjcf/examples/own_controller.toml
+usr/share/rotorub/native_model/control/examples/magnetic_pd.c
 usr/share/rotorub/native_model/control/examples/own_controller.c
 usr/share/rotorub/native_model/control/examples/tracking_law.py
 usr/share/doc/rotorub/README.md

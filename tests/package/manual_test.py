@@ -129,6 +129,9 @@ class Manual(InAFolder):
 
     def test_the_manual_page_has_every_option(self):
         page = self.rotorub("manual", "man")
+        synopsis = page.split(".SH SYNOPSIS")[1].split(".SH")[0]
+        self.assertIn("compare\\fR [\\fIOPTIONS\\fR] \\fISCENE\\fR ...\n", synopsis)
+        self.assertIn("run\\fR [\\fIOPTIONS\\fR] \\fISCENE\\fR\n", synopsis)
         commands = self.commands()
         sections = dict(zip(["", *commands], page.split(".SH OPTIONS")[1].split(".SS ")))
         self.assertEqual(list(sections), ["", *commands])

@@ -72,6 +72,9 @@ class Tutorials(InAFolder):
                     found = next((i for i in range(at, len(said)) if shows(line, said[i])), None)
                     self.assertIsNotNone(found, f"{name}: not printed after line {at}: {line}\n" + "\n".join(said))
                     at, shown = found + 1, shown + 1
+            elif language == "c":
+                examples = (SOURCE / "native_model/control/examples").glob("*.c")
+                self.assertTrue(any(text in example.read_text() for example in examples), f"{name}: in no example:\n{text}")
             elif language != "toml":  # an excerpt
                 self.fail(f"{name}: a block of {language} that nothing reads")
         return shown
@@ -96,6 +99,10 @@ class Tutorials(InAFolder):
             summary = json.loads((self.folder / run / "summary.json").read_text())
             self.assertEqual(summary["status"], "ok")
             self.assertGreater(summary["contact_fraction"], least)
+        # The law of magnetic bearings holds the rotor until they fail.
+        summary = json.loads((self.folder / "levitated/summary.json").read_text())
+        self.assertEqual(summary["status"], "ok")
+        self.assertGreater(summary["first_touch"], 0.1)
 
 
 class Reader(unittest.TestCase):

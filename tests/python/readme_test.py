@@ -26,12 +26,13 @@ class Readme(InFolder):
 
     def test_every_block_runs(self):
         self.readme_commands("compare/python/README.md")
-        said = self.said_by("compare/python/README.md", 5)
+        said = self.said_by("compare/python/README.md", 6)
         self.assertIn("smallest gap", said)
         self.assertRegex(said, r"hardest of \d+ impacts at 0\.1\d+ s: [\d.]+ N s")
         self.assertIn("um off", said)
         self.assertIn("has the least peak force", said)
         self.assertIn("contact.frction", said)
+        self.assertRegex(said, r"ok -?[\d.e-]+ N")
 
     def test_the_projects_own_runs(self):
         self.rotorub("run", SCENES / "paper_passive.toml", "--end", "0.12")

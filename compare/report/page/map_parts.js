@@ -67,7 +67,8 @@ export function feedbackMapParts(data) {
   const calm = (value) => value !== null && value < 0;
   return mapParts([
     {title: 'Some k makes the forced rub stable', headline: count((row) => row.some(calm)),
-      text: 'At the other speeds no such rub lasts, or no k calms it.'},
+      ...(speeds.values.some((_, k) => !growth.slice(k * each, (k + 1) * each).some(calm)) ?
+        {text: 'At the other speeds no such rub lasts, or no k stabilises it.'} : {text: ''})},
     ...(feedbacks.values[0] === 0 ? [{title: 'It is stable without feedback', headline: count(([first]) => calm(first)),
       text: 'There feedback only makes it decay faster.'}] : [])],
   'The forced rub of the scene\'s friction with the force u = -k e_z x q\' on the ring, q\' the ring\'s velocity, in its closed loop, over spin ' +

@@ -22,7 +22,7 @@ function criticalCard({campbell: {critical}}, whirls) {
 function stabilityCard({unstable_ranges: ranges, stability_bound: bound}, isUnstable) {
   const title = 'Free whirl', tone = isUnstable ? 'bad' : ranges.length ? '' : 'good';
   if (!ranges.length && bound === null)
-    return {title, tone, headline: 'stable at any speed', text: 'Without contact, nothing in the rotor can make a whirl grow.'};
+    return {title, tone, headline: 'stable at all speeds', text: 'Without contact, nothing in the rotor can make a whirl grow.'};
   if (!ranges.length)
     return {title, tone, headline: `stable up to ${rpmText(bound * rpm)}`, text: 'The search ends there, at 20 times the highest frequency.'};
   const [[from, to]] = ranges, more = ranges.length - 1;
@@ -31,6 +31,22 @@ function stabilityCard({unstable_ranges: ranges, stability_bound: bound}, isUnst
   const why = from === 0 ? 'The negative stiffness is stronger than the shaft and its bearings.' :
     'There rotating damping or a bearing\'s cross stiffness feeds a whirl.';
   return {title, tone, headline, text: why + (more > 0 ? ` There ${more > 1 ? `are ${more} more ranges` : 'is one more range'} above it.` : '')};
+}
+
+// The closed loop of magnetic bearings: whether it is stable, and its largest sensitivity.
+function loopCard({poles, poles_refused: refused, loops}, at) {
+  if (refused) return {title: 'Closed loop', headline: 'stability unknown', text: `The poles are unknown, because ${refused}.`};
+  const [{real, imaginary}] = poles;
+  if (real >= 0) {
+    const motion = imaginary === 0 ? 'A motion without oscillation' : `A motion at ${short(Math.abs(imaginary) / (2 * Math.PI))} Hz`;
+    const isRoundOff = real < 1e-10 * Math.max(...poles.map((pole) => Math.hypot(pole.real, pole.imaginary)));
+    return {title: 'Closed loop', tone: 'bad', headline: `unstable at ${at}`,
+      text: `${motion} ${isRoundOff ? 'does not decay' : `grows at ${short(real)} 1/s`}.`};
+  }
+  const worst = loops.reduce((top, loop) => (loop.sensitivity > top.sensitivity ? loop : top));
+  const size = `${short(worst.sensitivity)} (${short(20 * Math.log10(worst.sensitivity), 2)} dB)`;
+  return {title: 'Magnetic bearings', tone: worst.zone === 'A' ? 'good' : '', headline: `stable, zone ${worst.zone}`,
+    text: `largest sensitivity ${size} at ${short(worst.frequency / (2 * Math.PI))} Hz, ISO 14839-3`};
 }
 
 // The smallest gap of the free rotor at a contact.
@@ -44,26 +60,31 @@ function orbitCard(response, title) {
 }
 const orbitCards = ({name, response}, at) => {
   if (!response) return [];
-  const title = `Free orbit${name ? ` at ${name}` : ''}`, before = response.before_loss;
+  const title = `Free orbit${name ? ` at contact "${name}"` : ''}`, before = response.before_loss;
   return before ? [orbitCard(before, `${title}, before the loss, ${at}`), orbitCard(response, `${title}, after the loss, ${at}`)] :
     [orbitCard(response, `${title}, ${at}`)];
 };
 
 function rubCards({name, rub, rub_refused: refused}, at) {
-  const title = `Once it touches${name ? ` ${name}` : ''}`;
+  const title = `Stable motions${name ? ` at contact "${name}"` : ''}`;
   if (refused) return [{title, headline: 'not analysed', text: refused}];
   if (!rub) return [];
   const unstable = rub.rubs.filter(({stable}) => !stable).length, against = rub.attractors.some((word) => ['backward whip', 'rolling'].includes(word));
-  return [{title, link: rub.rubs.length ? '#rubs' : '', tone: against ? 'bad' : '', headline: rub.attractors.join(' + ') || 'none stable', text: `what is stable at ${at}` +
-    (unstable ? `; beside it ${unstable} lasting rub${unstable > 1 ? 's' : ''} that ${unstable > 1 ? 'are' : 'is'} not` : '')}];
+  return [{title, link: rub.rubs.length ? '#rubs' : '', tone: against ? 'bad' : '', headline: rub.attractors.join(' + ') || 'none stable', text: `at ${at}` +
+    (unstable ? `; ${unstable} further lasting rub${unstable > 1 ? 's are' : ' is'} unstable` : '')}];
 }
 
 export function modesCards(rotor) {
-  const {found} = rotor, {speeds: [{speed, response, rub, contacts, notes}], critical, unstable_ranges: ranges} = found, at = rpmText(Math.abs(speed) * rpm);
+  const {found} = rotor, {speeds: [{speed, response, rub, contacts, notes, levitation}], critical, unstable_ranges: ranges} = found, at = rpmText(Math.abs(speed) * rpm);
   const running = rotor.campbell.running / rpm;
-  const isUnstable = ranges.some(([from, to]) => (running > from || from === 0) && (to === null || running < to));
+  const loop = levitation ? [loopCard(levitation, at)] : [], hasStableLoop = levitation && !levitation.poles_refused && levitation.poles[0].real < 0;
+  const isUnstable = ranges.some(([from, to]) => (running > from || from === 0) && (to === null || running < to)) || loop[0]?.tone === 'bad';
+  // The whirl leaves out parts of the controls, so it does not show the stability of a loop.
+  const whirl = levitation ? {...stabilityCard(found, isUnstable), text: 'without integrators, filters, amplifiers and sampling'} :
+    stabilityCard(found, isUnstable);
   const places = contacts || [{name: '', response, rub, rub_refused: found.rub_refused}];
-  return [speedCard(rotor, isUnstable), criticalCard(rotor, critical.map(({whirl}) => whirl)), stabilityCard(found, isUnstable),
+  return [speedCard(rotor, isUnstable), criticalCard(rotor, critical.map(({whirl}) => whirl)), ...loop,
+    ...(levitation && !hasStableLoop ? [] : [whirl]),
     ...places.flatMap((place) => orbitCards(place, at)),
     ...notes.map((text) => ({title: `Response, ${at}`, headline: 'of limited validity', text})),
     ...places.flatMap((place) => rubCards(place, at))];
@@ -95,7 +116,7 @@ function peakParts(bode) {
     'API 617 requires: nothing if AF is below 2.5, which is critically damped.'}] : [];
 }
 
-const loopParts = (loops) => (loops.length ? [{class: 'plots', parts: [{heading: 'Closed loop of the magnetic bearings'},
+const loopParts = (loops) => (loops.some(({sensitivity, step}) => sensitivity.length || step.length) ? [{class: 'plots', parts: [{heading: 'Closed loop of the magnetic bearings'},
   {text: 'Linear, with the modes kept, within the limits of currents and voltages. The hold and the delay of a sampled control are included. ' +
     'Bearings by colour, the axis y dashed.'}, ...loops.map((_, index) => ({plots: 'loop', index}))]}] : []);
 

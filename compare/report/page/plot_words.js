@@ -1,6 +1,6 @@
 // The plots of a page's results, by the data that they show: titles, and sentences on how to read them. A plot appears only
 // if the page has its data.
-import {beyondText, rpmText} from './campbell.js';
+import {beyondText, dampingScale, rpmText} from './campbell.js';
 import {benchOf} from './precision.js';
 
 const mujocoErrors = ({series}) => series.flatMap(({family, points}) => points.filter(({limit}) => family === 'mujoco' && limit > 0));
@@ -17,24 +17,27 @@ const decrement = {plot: 'decrement', title: 'Logarithmic decrement',
   text: 'ln of one swing over the next, 2πζ/√(1−ζ²), of each whirl without contact; below 0 it grows'};
 
 const bode = ({bode: shown}) => shown ? [
-  {plot: 'bode', shape: 'wide tall', title: 'Bode plot', unit: 'unbalance response', text: 'how far each station whirls under its ' +
-    'unbalance at held speeds, without contact, and where its high spot lies from the mark on the rotor: at a peak unbalance resonates, and ' +
-    'the phase falls by half a turn. Rings: the peaks with the amplification factor of API 684, about 1/(2ζ); long dashes: undamped critical ' +
+  {plot: 'bode', shape: 'wide tall', title: 'Bode plot', unit: 'unbalance response', text: 'amplitude and phase of the response to ' +
+    'unbalance at each constant speed, without contact, with the modes kept. At a resonance the amplitude peaks and the phase falls by 180 ' +
+    'degrees. Rings: the peaks with the amplification factor of API 684, about 1/(2ζ); long dashes: undamped critical ' +
     `speeds; dotted: the scene's speed.${shown.forces ? ' Forces that turn with the spin there count as the unbalance that they stand for.' : ''}` +
     `${shown.limit ? ' Dashes and dots: half of what API 617 allows from peak to peak; no line where the closed loop is unstable; sampled ' +
-    'controls answer with their samples, hold and delay.' : ''} Of the modes kept`},
-  {plot: 'polar', shape: 'square', title: 'Polar plot', unit: 'µm', text: 'the same as the high spot goes on the rotor itself, the mark to ' +
-    'the right: a loop is a critical speed, passed a quarter turn behind the unbalance'},
+    'controls answer with their samples, hold and delay.' : ''}`},
+  {plot: 'polar', shape: 'square', title: 'Polar plot', unit: 'µm', text: 'the same response as a vector that turns with the rotor; the ' +
+    'keyphasor mark is to the right. Each loop is a critical speed, where the response lags the unbalance by 90 degrees.'},
 ] : [];
 
 const whirlShapes = ({shapes, campbell}) => shapes && {plot: 'whirl_shapes', shape: 'wide tall', title: `Whirl shapes at ${rpmText(campbell.running)}`,
   text: 'the bent rotor seen obliquely, without contact, each drawn equally large; arrows: the direction of the whirl, with the spin ' +
     'counter-clockwise; thin: the paths of points along the shaft'};
 
+// Nearly equal damping has no colours.
+const damped = ({pieces = []}) => (dampingScale(pieces) ? ', coloured by damping' : '');
+
 // The page of `rotorub modes`.
 const rotor = ({rotor: shown}) => [
   {plot: 'campbell', shape: 'wide tall', title: 'Campbell diagram', text: `whirl frequencies up to ${rpmText(shown.campbell.top)}, forward solid, ` +
-    `backward dashed, coloured by damping, the scene's speed dotted; where forward whirl meets 1×, unbalance resonates. ${beyondText(shown.campbell)}`},
+    `backward dashed${damped(shown.campbell)}, the scene's speed dotted; where forward whirl meets 1×, unbalance resonates. ${beyondText(shown.campbell)}`},
   {plot: 'damping', shape: 'low', title: 'Damping ratio', unit: '%', text: 'below 0 a whirl grows'},
   {...decrement, shape: 'low'},
   ...bode(shown),
@@ -47,7 +50,7 @@ const rotor = ({rotor: shown}) => [
 // The free rotor of a run, whose plots the clock's script draws.
 const whirl = ({rotor: shown}) => [
   {plot: 'campbell', shape: 'wide tall', title: 'Campbell diagram', text: 'whirl frequencies without contact, forward solid, backward ' +
-    `dashed, coloured by damping; dotted: the scene's speed, ${rpmText(shown.campbell.running)}, with marks where it whirls; rings: critical speeds, where unbalance resonates. ${beyondText(shown.campbell)}`},
+    `dashed${damped(shown.campbell)}; dotted: the scene's speed, ${rpmText(shown.campbell.running)}, with marks where it whirls; rings: critical speeds, where unbalance resonates. ${beyondText(shown.campbell)}`},
   {...decrement, shape: 'wide low'},
   ...bode(shown),
   whirlShapes(shown),
@@ -55,10 +58,10 @@ const whirl = ({rotor: shown}) => [
 
 const loop = ({loops}, index) => [
   loops[index].sensitivity.length && {plot: 'sensitivity', shape: 'wide tall', title: 'Sensitivity', unit: '|S| = |1/(1 + L)|',
-    text: `${loops[index].title}; each loop with all others closed, and the zones of ISO 14839-3: a new machine is accepted in A, B is fit ` +
-      'for long running, C is not, D damages'},
-  loops[index].step.length && {plot: 'step', shape: 'wide', title: 'Step of force', text: `${loops[index].title}; a newton on the rotor at a ` +
-    'bearing from 0 on, and how far the rotor goes there; rings: the most, diamonds: from when on it keeps within 2 %, dotted: what stays'},
+    text: `${loops[index].title}; each loop with all others closed. Zones of ISO 14839-3: A for new machines, B acceptable for long-term ` +
+      'operation, C not acceptable for long-term operation, D severe enough to cause damage'},
+  loops[index].step.length && {plot: 'step', shape: 'wide', title: 'Step of force', text: `${loops[index].title}; deflection of the ` +
+    'rotor at the bearing after a force of 1 N is applied there at t = 0. Ring: peak; diamond: settled within 2 %; dotted: steady value'},
 ];
 
 const bifurcation = ({bifurcation: shown}) => [{plot: 'bifurcation', shape: 'wide tall', title: 'Bifurcation diagram', unit: 'µm',

@@ -3,12 +3,13 @@
  *
  * Along the line of centres, gap g and wanted gap g_d (from the gap at the start smoothly to 0):
  *   e = g - g_d,   u = -(stiffness e + damping de/dt + integral of e + preload) e_r
- * Closed, the two whirl with the spin, and friction makes them part again. Seen from the frame that
- * turns with the shaft a synchronous whirl stands still, so that a damper there leaves it alone and
- * takes all else: u = -ring_damping R(phi) d/dt (R(-phi) q_f) Rates come from filters, as no
- * velocity is measured:  dx/dt ~ bandwidth (x - x_filtered).
+ * After closing, rotor and ring whirl together with the spin, and friction tends to separate them.
+ * In the frame that turns with the shaft a synchronous whirl is at rest, so a damper in that frame
+ * acts only on other motion: u = -ring_damping R(phi) d/dt (R(-phi) q_f), where q_f is the ring's
+ * centre. Velocities are not measured, so rates come from filters:
+ * dx/dt ~ bandwidth (x - x_filtered).
  *
- *   cc -shared -fPIC -I <prefix>/include own_controller.c -o own_controller.so -lm
+ *   cc -shared -fPIC -I $ROTORUB/native_model/control/abi own_controller.c -o own_controller.so -lm
  */
 #include <math.h>
 #include <stdio.h>

@@ -140,6 +140,21 @@ TEST(Identify, LeavesNoMoreThanTheSceneAsItStood) {
   }
 }
 
+// A record of the scene's own run: both residuals are round-off, whichever is smaller.
+TEST(Identify, APerfectFitIsNotWorseThanTheScene) {
+  Result r;
+  r.left_before = 1e-16;
+  r.alignment.residual = 1e-14;
+  EXPECT_TRUE(r.is_exact());
+  EXPECT_FALSE(r.no_better());
+  const std::string text = text_of(result_of("record.csv", r));
+  EXPECT_NE(text.find("fit the record to round-off"), std::string::npos) << text;
+  r.alignment.residual = 1e-3;
+  r.left_before = 1e-4;
+  EXPECT_FALSE(r.is_exact());
+  EXPECT_TRUE(r.no_better());
+}
+
 // And where a fit is worse than its start, it says so: of a range that excludes the truth.
 TEST(Identify, SaysWhenTheSceneAsItStoodIsBetter) {
   const Result r = identify(scene_with(), record_with({}, sensors(4)),

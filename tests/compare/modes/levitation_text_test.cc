@@ -61,7 +61,28 @@ TEST(LevitationText, PolesLoopsAndZones) {
   EXPECT_NE(text.find("closed loop of the magnetic bearings at 0 rad/s"), std::string::npos)
       << text;
   EXPECT_NE(text.find("zone of ISO 14839-3"), std::string::npos);
-  EXPECT_EQ(text.find("unstable, so there are no sensitivities"), std::string::npos);
+  EXPECT_EQ(text.find("no sensitivity"), std::string::npos);
+  EXPECT_NE(text.find("Whirl without integrators, filters, amplifiers and sampling: stable at all"),
+            std::string::npos)
+      << text;
+}
+
+// An undamped bearing has poles on the axis up to round-off, which do not grow.
+TEST(LevitationText, AnUndampedLoopDoesNotGrow) {
+  Levitation undamped;
+  undamped.poles = {{1e-13, 300.0}, {1e-13, -300.0}};
+  EXPECT_EQ(instability_text(100.0, undamped),
+            "The closed loop of the magnetic bearings is unstable at 954.93 rpm: a motion at 300 "
+            "rad/s does not decay.");
+  undamped.poles = {{2.5, 1e-9}, {-1e4, 0.0}};
+  EXPECT_EQ(instability_text(-100.0, undamped),
+            "The closed loop of the magnetic bearings is unstable at 954.93 rpm: a motion without "
+            "oscillation grows at 2.5 1/s.");
+  undamped.poles = {{-2.5, 0.0}};
+  EXPECT_EQ(instability_text(100.0, undamped), "");
+  undamped.poles_refused = "a library commands the magnetic bearings";
+  EXPECT_EQ(instability_text(100.0, undamped),
+            "Stability is unknown, because a library commands the magnetic bearings.");
 }
 
 TEST(LevitationText, SaysSoWhereTheLoopIsUnstableOrThereIsNone) {
@@ -69,13 +90,18 @@ TEST(LevitationText, SaysSoWhereTheLoopIsUnstableOrThereIsNone) {
       scene::parse_scene(kHung, "grows.toml",
                          std::vector<std::string>{"magnetic_bearing.amplifier={bandwidth=40.0}"}),
       {});
-  EXPECT_NE(
-      result::text_of(modes_result("grows", grows)).find("unstable, so there are no sensitivities"),
-      std::string::npos);
-  EXPECT_EQ(result::text_of(modes_result("grows", grows)).find("step of force"), std::string::npos);
-  EXPECT_TRUE(
-      result::json_of(modes_result("", grows))["speeds"][0]["levitation"]["loops"][0]["step"]
-          .is_null());
+  const std::string text = result::text_of(modes_result("grows", grows));
+  EXPECT_NE(text.find("The closed loop of the magnetic bearings is unstable at 0 rpm: a motion at"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("so it has no sensitivity and no zone of ISO 14839-3."), std::string::npos);
+  for (const char* absent : {"step of force", "largest |S|", "stable at all speeds"})
+    EXPECT_EQ(text.find(absent), std::string::npos) << absent;
+  const nlohmann::json all = result::json_of(modes_result("", grows))["speeds"][0]["levitation"];
+  ASSERT_EQ(all["loops"].size(), 2u);
+  for (const char* key : {"sensitivity", "frequency", "zone", "step", "unbalance"})
+    EXPECT_TRUE(all["loops"][0].at(key).is_null()) << key;
+  EXPECT_EQ(all["loops"][1]["axis"], "y");
   const RotorAnalysis none = analyse_rotor(
       scene::parse_scene(
           kHung, "none.toml",

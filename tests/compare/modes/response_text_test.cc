@@ -72,8 +72,8 @@ TEST(ResponseText, OfSeveralContactsGivesEach) {
   EXPECT_EQ(optimise::figure_value(path, all, false), far["least_gap"].get<double>());
 
   const std::string table = result::text_of(modes_result("two", analysis));
-  const auto near_at = table.find("response at contact near"),
-             far_at = table.find("response at contact far");
+  const auto near_at = table.find("response at contact \"near\""),
+             far_at = table.find("response at contact \"far\"");
   ASSERT_TRUE(near_at != std::string::npos && far_at != std::string::npos) << table;
   EXPECT_GT(table.substr(near_at, far_at - near_at).find("it touches"), far_at) << table;
   EXPECT_NE(table.find("it touches", far_at), std::string::npos) << table;

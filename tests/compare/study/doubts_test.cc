@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "native_model/scene/reader.h"
 #include "tests/support/said.h"
 
@@ -79,6 +81,23 @@ TEST(Doubts, NameATableThatTheSpeedIsOutsideOf) {
   EXPECT_TRUE(of("[\"4000 rpm\", \"14000 rpm\"]").empty());
   EXPECT_TRUE(only(of("[4000.0, 14000.0]"))
                   .starts_with("rotor.bearing[1].table_speed runs from 4000 to 14000 rad/s"));
+}
+
+TEST(Doubts, NameAnActuatorAtItsLimit) {
+  const scene::Scene scene =
+      scene_with("\"50 Hz\"",
+                 "clearance = \"0.5 mm\"\nfriction = 0.15\n[stator]\nmass = 1.0\nstiffness = 1e5\n"
+                 "damping = 100.0\n[actuator]\nforce_limit = 100.0\n[controller]\nkind = \"pd\"\n");
+  Trajectory run;
+  const double limit = 100.0 / std::sqrt(2.0);  // along x and y, with one axis at its limit
+  run.series = {{"control_x", "N", {0.0, 0.0, limit, 50.0}},
+                {"control_y", "N", {0.0, 0.0, -limit, 20.0}}};
+  EXPECT_TRUE(doubts(scene, run).empty()) << "half of the time";
+  run.series[0].values = {0.0, limit, limit, 50.0};
+  run.series[1].values = {0.0, -limit, limit, 20.0};
+  EXPECT_EQ(only(doubts(scene, run)),
+            "the actuator is at its limit of 100 N (actuator.force_limit) for 67 % of the time "
+            "since switch-on");
 }
 
 TEST(Doubts, NameEnergyThatDoesNotAddUp) {

@@ -28,7 +28,7 @@ TEST(RubAnswer, SaysHowNearARotorComesThatDoesNotTouch) {
   EXPECT_EQ(rub_answer(m), "no, rotor and ring do not touch");
   m.least_gap = 75e-6;
   EXPECT_EQ(rub_answer(m), "no, the rotor stays 75 µm clear of the ring");
-  EXPECT_EQ(rub_answer(m, 0.1), "not until 100 ms, where the run was cut short");
+  EXPECT_EQ(rub_answer(m, 0.1), "no contact up to 100 ms, where the run stopped");
 }
 
 }  // namespace

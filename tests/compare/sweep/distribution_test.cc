@@ -160,7 +160,7 @@ TEST(DrawnStudy, SaysWhatADistributionLacks) {
       {"distribution = \"triangular\"\nfrom = 0.1\nto = 0.2\nmode = 0.3\n", "between `from`"},
       {"distribution = \"lognormal\"\nmedian = -1\nlog_deviation = 0.1\n", "above 0"},
       {"mean = 0.3\nfrom = 0\nto = 1\n", "distribution: missing"},
-      {"from = 0\nto = 1\ncount = 3\n", "belongs to a grid"},
+      {"from = 0\nto = 1\ncount = 3\n", "only for a grid"},
       {"from = 0\nto = 1\ncolumn = \"mu\"\n", "needs the points' file"},
   };
   for (const auto& c : cases) {

@@ -211,9 +211,13 @@ TEST(MagneticLibrary, RefusalsNameKeyAndReason) {
   } cases[] = {
       {by_library("", "nowhere.so"), {"magnetic_control.library", "not found", "magnets.toml:"}},
       {by_library("", "recording_controller.so"),
-       {"magnetic_control.library", "no function rotorub_magnetic_controller_get"}},
+       {"magnetic_control.library",
+        "recording_controller.so commands a ring (rotorub_controller_get)",
+        "Set [controller] kind = \"library\""}},
+      {by_library("", "librotorub_final_state.so"),
+       {"librotorub_final_state.so does not export rotorub_magnetic_controller_get"}},
       {by_library("", "other_abi_magnetic_controller.so"),
-       {"magnetic_control.library", "4712", "needs ABI 1"}},
+       {"magnetic_control.library", "4712", "needs ABI 1", "Rebuild it"}},
       {by_library("fault = \"huge\"\n"),
        {"magnetic_control.library", "a state of 65 numbers is too large; the limit is 64"}}};
   for (const auto& c : cases) {

@@ -84,6 +84,10 @@ TEST(Overrides, TakePartsAndKeysAway) {
   EXPECT_EQ(with({"force[0]=none"}).forces.size(), 1u);
   EXPECT_EQ(with({"force=none"}).forces.size(), 0u);
   EXPECT_EQ(with({"run.output_step=none"}).run.output_step, std::nullopt);
+  // `none` is a value of this key.
+  const Scene blind = with({"controller.kind=library", "controller.library=law.so",
+                            "controller.sample_time=1e-4", "controller.sensors.velocity=none"});
+  EXPECT_EQ(blind.first().controller->sensors.velocity, VelocitySensor::kNone);
   EXPECT_FALSE(with({"controller=none"}).first().controller);  // was not there: nothing to do
 }
 

@@ -82,7 +82,7 @@ test('the page of modes says how stable the rotor is, and how near the scene is 
   const [at, critical, free] = cardsOf({}).map(words);
   assert.equal(at, 'The scene\'s speed |  | 954.93 rpm | The nearest critical speed is 830.42 rpm, 13 % below.');
   assert.match(critical, /830\.42 rpm, 2000 rpm \| undamped; forward/);
-  assert.match(free, /good \| stable at any speed/);
+  assert.match(free, /good \| stable at all speeds/);
   const [running, , unstable] = cardsOf({unstable_ranges: [[86.96, null]], stability_bound: 100}).map(words);
   assert.match(running, /bad \| 954\.93 rpm, unstable/);
   assert.match(unstable, /bad \| unstable above 830\.41 rpm/);
@@ -92,17 +92,32 @@ test('the page of modes says how stable the rotor is, and how near the scene is 
   assert.match(words(cardsOf({}, rest)[0]), /0 rpm \| There is no critical speed/);
 });
 
+test('the page of modes says whether the closed loop of magnetic bearings is stable', () => {
+  const loop = (peak, zone) => ({sensitivity: peak, frequency: 113.7, zone});
+  const withLoop = (levitation) => cardsOf({speeds: [{...speed, levitation: {poles_refused: null, ...levitation}}]});
+  const grows = withLoop({poles: [{real: 16.26, imaginary: 153.46}], loops: [loop(null, null)]}).map(words);
+  assert.match(grows[0], /bad \| 954\.93 rpm, unstable/);
+  assert.equal(grows[2], 'Closed loop | bad | unstable at 2387.3 rpm | A motion at 24.4 Hz grows at 16.3 1/s.');
+  assert.ok(!grows.some((text) => text.includes('stable at all speeds')));
+  const stable = withLoop({poles: [{real: -2, imaginary: 0}], loops: [loop(1.5, 'A'), loop(2.57, 'A')]}).map(words);
+  assert.equal(stable[2], 'Magnetic bearings | good | stable, zone A | largest sensitivity 2.57 (8.2 dB) at 18.1 Hz, ISO 14839-3');
+  assert.equal(stable[3], 'Free whirl | good | stable at all speeds | without integrators, filters, amplifiers and sampling');
+  const unknown = withLoop({poles: null, poles_refused: 'a library commands them', loops: []}).map(words);
+  assert.equal(unknown[2], 'Closed loop |  | stability unknown | The poles are unknown, because a library commands them.');
+  assert.ok(!unknown.some((text) => text.includes('stable at all speeds')));
+});
+
 test('and how near it comes to each contact, and what a touch may lead to', () => {
   const near = {orbit: 264e-6, least_gap: 236e-6, vibration: 0, vibration_limit: 25.4e-6, refused: null, before_loss: null};
   const far = {...near, orbit: 619e-6, least_gap: -19e-6, vibration: 30e-6};
   const contacts = [{name: 'near', response: near, rub: null, rub_refused: 'no ring'}, {name: 'far', response: far, rub, rub_refused: null}];
   const [, , , first, second, note, refused, touched] = cardsOf({speeds: [{...speed, contacts, notes: ['where its law is not linear']}]}).map(words);
-  assert.equal(first, 'Free orbit at near, 2387.3 rpm |  | least gap 236 µm | 264 µm from the middle of the ring, clearance 500 µm');
-  assert.equal(second, 'Free orbit at far, 2387.3 rpm | bad | touches, 19 µm beyond | 619 µm from the middle of the ring, clearance 600 µm; ' +
+  assert.equal(first, 'Free orbit at contact "near", 2387.3 rpm |  | least gap 236 µm | 264 µm from the middle of the ring, clearance 500 µm');
+  assert.equal(second, 'Free orbit at contact "far", 2387.3 rpm | bad | touches, 19 µm beyond | 619 µm from the middle of the ring, clearance 600 µm; ' +
     'vibration 30 µm peak to peak, beyond the 25.4 µm of API 617');
   assert.match(note, /of limited validity \| where its law is not linear/);
-  assert.equal(refused, 'Once it touches near |  | not analysed | no ring');
-  assert.equal(touched, 'Once it touches far | bad | no contact + backward whip | what is stable at 2387.3 rpm; beside it 1 lasting rub that is not');
+  assert.equal(refused, 'Stable motions at contact "near" |  | not analysed | no ring');
+  assert.equal(touched, 'Stable motions at contact "far" | bad | no contact + backward whip | at 2387.3 rpm; 1 further lasting rub is unstable');
   const lost = cardsOf({speeds: [{...speed, response: {...far, before_loss: near}}]}).slice(3).map(({title}) => title);
   assert.deepEqual(lost, ['Free orbit, before the loss, 2387.3 rpm', 'Free orbit, after the loss, 2387.3 rpm']);
 });
