@@ -117,7 +117,7 @@ double compliant_force(const ContactPair& pair, const ContactPoint& point, const
     const bool closed = CompliantLaw::begins_closed(point.gap, point.gap_rate, clearance);
     entry.touches = closed ? kInWall : kOpen;
     entry.damping = law.a_of_start();
-  } else if (point.gap > CompliantLaw::kOnCircle * clearance) {
+  } else if (point.gap > kOnCircle * clearance) {
     entry.touches = kOpen;
   } else if (point.gap < 0.0 && entry.touches == kOpen) {
     entry.touches = kInWall;
@@ -133,7 +133,7 @@ void pass_without_contact(const ContactPair& pair, const mjModel* m, mjData* d) 
   auto& entry = entries<CompliantEntries>(d, pair.data);
   const double clearance = pair.contact.clearance,
                gap = clearance - contact_place(pair, d).d.norm();
-  if (std::abs(gap) <= CompliantLaw::kOnCircle * clearance) {
+  if (std::abs(gap) <= kOnCircle * clearance) {
     compliant_force(pair, contact_point_of(pair, m, d), m, d);
     return;
   }
