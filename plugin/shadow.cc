@@ -159,8 +159,8 @@ void step(const Config& config, const mjModel* m, mjData* d, ShadowEntries& entr
 }  // namespace
 
 void advance_shadow(const Config& config, const mjModel* m, mjData* d) {
-  ShadowEntries& entry = entries<ShadowEntries>(d, config.shadow->data);
-  const double h = m->opt.timestep, margin = 1e-6 * h;
+  ShadowEntries& entry = entries<ShadowEntries>(d, config.shadow->userdata);
+  const double h = m->opt.timestep, margin = time_tolerance(h, d->time);
   const double passed = d->time - entry.time;
   const bool same_time = std::abs(passed) <= margin;
   const bool runs = entry.status == static_cast<double>(Status::kOk);
@@ -172,7 +172,7 @@ void advance_shadow(const Config& config, const mjModel* m, mjData* d) {
     return;
   }
   if (same_time || (passed > 0.0 && passed < h - margin)) return;
-  if (!(std::abs(passed - h) <= margin)) {
+  if (!is_next_step(passed, h, d->time)) {
     begin(config, m, d, entry);
     return;
   }
@@ -181,7 +181,7 @@ void advance_shadow(const Config& config, const mjModel* m, mjData* d) {
 }
 
 const double* shadow_state(const Config& config, const mjData* d) {
-  const auto& entry = entries<ShadowEntries>(d, config.shadow->data);
+  const auto& entry = entries<ShadowEntries>(d, config.shadow->userdata);
   return VerletStepper::saved_q(behind(entry) + ZeroOrderHold::memory_size(config.shadow->model));
 }
 
