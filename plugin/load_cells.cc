@@ -102,6 +102,8 @@ ContactForce force_of(const ContactPair& pair, const mjData* d, double since) {
   if (rigid || pair.further) f.normal = entry.normal_force;
   // Only `rigid` and contacts with friction along the axis record each pass with a force.
   if (!rigid && !pair.axial) return f;
+  // Without a normal force there is no friction along the axis; an older note may have one.
+  if (!(entry.normal_force > 0.0)) return f;
   const NotedContact* noted = noted_contact(d, pair.userdata);
   if (!noted) return f;
   const double passed = d->time - noted->time;
