@@ -4,23 +4,23 @@
 #include <exception>
 #include <utility>
 
+#include "plugin/callback_slot.h"
 #include "plugin/make_config.h"
 #include "plugin/model/actuators.h"
 #include "plugin/model/message.h"
 #include "plugin/model/mujoco_versions.h"
 #include "plugin/own/instances.h"
 #include "plugin/passes.h"
-#include "plugin/places.h"
 
 namespace rotorub::plugin {
 namespace {
 
 std::atomic<bool> active = false;
 
-constinit Place<mjfGeneric> passive_place(&mjcb_passive), control_place(&mjcb_control);
-constinit Place<mjfSensor> sensor_place(&mjcb_sensor);
-constinit Place<mjfAct> gain_place(&mjcb_act_gain), bias_place(&mjcb_act_bias),
-    rate_place(&mjcb_act_dyn);
+constinit CallbackSlot<mjfGeneric> passive_slot(&mjcb_passive), control_slot(&mjcb_control);
+constinit CallbackSlot<mjfSensor> sensor_slot(&mjcb_sensor);
+constinit CallbackSlot<mjfAct> gain_slot(&mjcb_act_gain), bias_slot(&mjcb_act_bias),
+    rate_slot(&mjcb_act_dyn);
 
 void passive(const mjModel* m, mjData* d) {
   if (callbacks_active()) passive_pass(m, d);
@@ -39,27 +39,27 @@ bool answer(const mjModel* m, const mjData* d, int id, mjtNum& value) {
   return callbacks_active() && magnet_answers(kAsked, m, d, id, value);
 }
 
-// Calls action(place, links) for each of the callbacks.
+// Calls action(slot, links) for each of the callbacks.
 template <typename Action>
 void for_each_callback(Action action) {
-  action(passive_place, Links<passive_place, passive>::kTable);
-  action(control_place, Links<control_place, control>::kTable);
-  action(sensor_place, Links<sensor_place, sensor>::kTable);
+  action(passive_slot, Links<passive_slot, passive>::kTable);
+  action(control_slot, Links<control_slot, control>::kTable);
+  action(sensor_slot, Links<sensor_slot, sensor>::kTable);
   using enum ActuatorQuestion;
-  action(gain_place, Givers<gain_place, answer<kGain>, kGain>::kTable);
-  action(bias_place, Givers<bias_place, answer<kBias>, kBias>::kTable);
-  action(rate_place, Givers<rate_place, answer<kRate>, kRate>::kTable);
+  action(gain_slot, ActuatorLinks<gain_slot, answer<kGain>, kGain>::kTable);
+  action(bias_slot, ActuatorLinks<bias_slot, answer<kBias>, kBias>::kTable);
+  action(rate_slot, ActuatorLinks<rate_slot, answer<kRate>, kRate>::kTable);
 }
 
 // MuJoCo's table is for ordered pairs of types. The geoms of a scene are a sphere and a capsule;
 // those of a user's own model may have any type from sphere to box.
 constexpr int kFirstShape = mjGEOM_SPHERE, kShapes = mjGEOM_BOX - mjGEOM_SPHERE + 1;
-constinit Place<mjfCollision> collision_places[kShapes][kShapes];
+constinit CallbackSlot<mjfCollision> collision_slots[kShapes][kShapes];
 std::atomic<int> collisions_taken = 0;
 
-Place<mjfCollision>& collision_place(const mjModel* m, int g1, int g2) {
+CallbackSlot<mjfCollision>& collision_slot(const mjModel* m, int g1, int g2) {
   const int a = m->geom_type[g1] - kFirstShape, b = m->geom_type[g2] - kFirstShape;
-  return a < b ? collision_places[a][b] : collision_places[b][a];
+  return a < b ? collision_slots[a][b] : collision_slots[b][a];
 }
 
 // The arguments of mjfCollision differ between MuJoCo's versions, so they are taken from its type.
@@ -74,8 +74,8 @@ struct Collision<int (*)(Model, Data, Contact, int, int, Rest...)> {
   static int link(Model m, Data d, Contact con, int g1, int g2, Rest... rest) {
     int count = 0;
     if (callbacks_active() && collide_pair(m, d, con, g1, g2, count)) return count;
-    const Place<mjfCollision>& place = collision_place(m, g1, g2);
-    const mjfCollision previous = place.previous(K);
+    const CallbackSlot<mjfCollision>& slot = collision_slot(m, g1, g2);
+    const mjfCollision previous = slot.previous(K);
     if (!previous) return 0;
     LinkScope scope(call, d, K);
     scope.reaches([&] { count = previous(m, d, con, g1, g2, rest...); });
@@ -87,7 +87,7 @@ struct Collision<int (*)(Model, Data, Contact, int, int, Rest...)> {
 template <typename Action>
 void for_each_collision(Action action) {
   for (int i = 0; i < kShapes; ++i) {
-    for (int j = i; j < kShapes; ++j) action(collision_places[i][j], i, j);
+    for (int j = i; j < kShapes; ++j) action(collision_slots[i][j], i, j);
   }
 }
 
@@ -151,14 +151,14 @@ void install_callbacks() {
     raise_error(text.c_str());
     return;
   }
-  for_each_callback([](auto& place, const auto& links) {
-    place.link_with(links.data());
-    place.take();
+  for_each_callback([](auto& slot, const auto& links) {
+    slot.link_with(links.data());
+    slot.take();
   });
-  for_each_collision([](auto& place, int i, int j) {
-    place.stand_at(&mjCOLLISIONFUNC[kFirstShape + i][kFirstShape + j]);
-    place.link_with(Collision<mjfCollision>::kTable.data());
-    place.take();
+  for_each_collision([](auto& slot, int i, int j) {
+    slot.set_global(&mjCOLLISIONFUNC[kFirstShape + i][kFirstShape + j]);
+    slot.link_with(Collision<mjfCollision>::kTable.data());
+    slot.take();
   });
   register_contact_plugin();
   active = true;
@@ -166,34 +166,34 @@ void install_callbacks() {
 
 void restore_callbacks() {
   active = false;
-  for_each_callback([](auto& place, const auto&) { place.give_back(); });
-  for_each_collision([](auto& place, int, int) { place.give_back(); });
+  for_each_callback([](auto& slot, const auto&) { slot.give_back(); });
+  for_each_collision([](auto& slot, int, int) { slot.give_back(); });
 }
 
 bool callbacks_active() { return active.load(std::memory_order_relaxed); }
 
 bool callbacks_lost() {
-  return !(passive_place.reaches_plugin() && control_place.reaches_plugin() &&
-           sensor_place.reaches_plugin() && gain_place.reaches_plugin() &&
-           bias_place.reaches_plugin() && rate_place.reaches_plugin());
+  return !(passive_slot.reaches_plugin() && control_slot.reaches_plugin() &&
+           sensor_slot.reaches_plugin() && gain_slot.reaches_plugin() &&
+           bias_slot.reaches_plugin() && rate_slot.reaches_plugin());
 }
 
 void keep_callbacks() {
   if (!callbacks_lost()) return;
-  for_each_callback([](auto& place, const auto&) { place.take(); });
+  for_each_callback([](auto& slot, const auto&) { slot.take(); });
 }
 
 bool collision_was_lost(const Config& config, const mjModel* m) {
   for (const ContactPair& pair : config.pairs) {
-    Place<mjfCollision>& place = collision_place(m, pair.rotor_geom, pair.ring_geom);
-    if (!place.reaches_plugin() && place.take()) ++collisions_taken;
+    CallbackSlot<mjfCollision>& slot = collision_slot(m, pair.rotor_geom, pair.ring_geom);
+    if (!slot.reaches_plugin() && slot.take()) ++collisions_taken;
   }
   const int taken = collisions_taken.load(std::memory_order_acquire);
   static thread_local constinit int known = 0;
   return std::exchange(known, taken) != taken;
 }
 
-bool distrust_control() { return control_place.distrust(); }
-bool distrust_passive() { return passive_place.distrust(); }
+bool distrust_control() { return control_slot.distrust(); }
+bool distrust_passive() { return passive_slot.distrust(); }
 
 }  // namespace rotorub::plugin

@@ -1,4 +1,4 @@
-// The plugin's places in MuJoCo's global tables (places.h). Programs use Hooks (hooks.h).
+// The plugin's slots in MuJoCo's global tables (callback_slot.h). Programs use Hooks (hooks.h).
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -11,7 +11,7 @@ namespace rotorub::plugin {
 // several threads.
 void install_callbacks();
 
-// Restores the places. If another library has put its function in front since, that function stays,
+// Restores the slots. If another library has put its function in front since, that function stays,
 // and the plugin's functions, which it still calls, only call the previous ones.
 void restore_callbacks();
 
@@ -27,7 +27,7 @@ void keep_callbacks();
 // plugin's functions is called any more (all callbacks reset, with contacts disabled).
 bool callbacks_lost();
 
-// Takes back the places of the model's contact pairs in the collision table. Returns true, once in
+// Takes back the slots of the model's contact pairs in the collision table. Returns true, once in
 // each thread, if another function may have made the contacts of this pass, so that they must be
 // made again. For the soft contact models.
 bool collision_was_lost(const Config& config, const mjModel* m);

@@ -6,10 +6,10 @@
 //
 // Previously installed callbacks are called first, and are restored at the end. Callbacks that are
 // installed later (mjcb_control = mine, mj_resetCallbacks()) do not remove the plugin's: the plugin
-// notices them in the same pass and calls them before its own (places.h). MuJoCo's callbacks are
-// global to the process, so make the first and destroy the last Hooks while no other thread steps.
-// Several may live at a time, in any threads; the last one restores. If librotorub_mujoco.so is
-// preloaded, it does the work and Hooks does nothing.
+// notices them in the same pass and calls them before its own (callback_slot.h). MuJoCo's callbacks
+// are global to the process, so make the first and destroy the last Hooks while no other thread
+// steps. Several may live at a time, in any threads; the last one restores. If librotorub_mujoco.so
+// is preloaded, it does the work and Hooks does nothing.
 //
 // Errors in a model's custom text are reported by mju_error while the model is loaded: mj_loadXML
 // then fails with the message.

@@ -14,14 +14,13 @@
 #include "plugin/contact/contact_space.h"
 #include "plugin/contact/relative_motion.h"
 #include "plugin/contact_force.h"
+#include "plugin/model/actuators.h"
 #include "plugin/model/message.h"
 #include "plugin/model/mujoco_versions.h"
 #include "plugin/model/user_data.h"
 
 namespace rotorub::plugin {
 namespace {
-
-bool behind_sensors = false;
 
 bool carries(const mjModel* m, int body, int geom) {
   int b = m->geom_bodyid[geom];
@@ -103,12 +102,14 @@ ContactForce force_of(const ContactPair& pair, const mjData* d, double since) {
   if (rigid || pair.further) f.normal = entry.normal_force;
   // Only `rigid` and contacts with friction along the axis record each pass with a force.
   if (!rigid && !pair.axial) return f;
-  const NotedContact& n = noted_contact(pair.data);
-  const double passed = d->time - n.time;
-  if (n.d != d || n.data != pair.data || (passed != 0.0 && std::abs(passed - since) > 1e-6 * since))
-    return f;
-  f.e_r = n.e_r;
-  f.axial = n.axial;
+  // Without a normal force there is no friction along the axis; an older note may have one.
+  if (!(entry.normal_force > 0.0)) return f;
+  const NotedContact* noted = noted_contact(d, pair.userdata);
+  if (!noted) return f;
+  const double passed = d->time - noted->time;
+  if (passed != 0.0 && (since == 0.0 || !is_next_step(passed, since, d->time))) return f;
+  f.e_r = noted->e_r;
+  f.axial = noted->axial;
   return f;
 }
 
@@ -159,7 +160,7 @@ void add_touch(const ContactPair& pair, const ContactForce& f, const mjModel* m,
 }  // namespace
 
 void map_load_cells(const mjModel* m, Config& config) {
-  bool later = behind_sensors;  // true if the plugin is called after MuJoCo's sensors
+  bool later = is_preloaded();  // true if the plugin is called after MuJoCo's sensors
   for (int i = 0; i < m->nsensor; ++i) {
     const bool called = m->sensor_type[i] == mjSENS_USER && m->sensor_needstage[i] == mjSTAGE_ACC;
     config.cells_in_callback = config.cells_in_callback || called;
@@ -263,7 +264,5 @@ void contact_force(const mjModel* m, const mjData* d, int id, mjtNum result[6],
     if (result[0] > 0.0) result[2] = regular ? -f.axial : f.axial;
   }
 }
-
-void stand_behind_sensors() { behind_sensors = true; }
 
 }  // namespace rotorub::plugin

@@ -23,7 +23,4 @@ void map_load_cells(const mjModel* m, Config& config);
 // Call it after MuJoCo's own sensors, in the pass in which the contact was solved.
 void fill_load_cells(const Config& config, const mjModel* m, mjData* d);
 
-// The preloaded library calls this once, because MuJoCo calls the library after mj_sensorAcc.
-void stand_behind_sensors();
-
 }  // namespace rotorub::plugin

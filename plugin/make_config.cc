@@ -102,8 +102,9 @@ void map_joints(const mjModel* m, Config& config) {
   }
 }
 
-// The k-th contact; data: index in mjData.userdata.
-ContactPair map_contact(const mjModel* m, const Config& config, std::size_t k, int data) {
+// The k-th contact; userdata: index of its entries in mjData.userdata.
+ContactPair map_contact(const mjModel* m, const Config& config, std::size_t k,
+                        scene::ContactModel contact_model, int userdata) {
   const std::string rotor = names::of_bearing(k, names::kRotorContact);
   const std::string ring = names::of_bearing(k, names::kRingContact);
   const auto geom = [m](const std::string& name, int type, const char* shape) {
@@ -114,7 +115,7 @@ ContactPair map_contact(const mjModel* m, const Config& config, std::size_t k, i
     return id;
   };
   ContactPair p;
-  p.contact_model = config.contact;
+  p.contact_model = contact_model;
   p.contact = p.given = *config.model.auxiliary[k].contact;
   p.rotor_geom = geom(rotor, mjGEOM_SPHERE, "sphere");
   p.ring_geom = geom(ring, mjGEOM_CAPSULE, "capsule");
@@ -123,7 +124,7 @@ ContactPair map_contact(const mjModel* m, const Config& config, std::size_t k, i
     refuse(message("<contact><pair geom1=\"{}\" geom2=\"{}\">", rotor, ring),
            "missing, but the scene in <custom> has a contact");
   }
-  p.data = data;
+  p.userdata = userdata;
   p.sensors = contact_sensors(m, {}, names::of_bearing(k, {}));
   p.friction_reference = own_value(m, names::kOwnFrictionReference).value_or(0.0);
   p.in_world = true;
@@ -134,17 +135,17 @@ ContactPair map_contact(const mjModel* m, const Config& config, std::size_t k, i
     refuse(body_element(m, m->geom_bodyid[p.rotor_geom]),
            message("carries geom \"{}\", so it needs mocap=\"true\"", rotor));
   }
-  p.prescribed_spin = config.segments || config.model.layout.spin ? 0.0 : config.model.speed;
+  p.prescribed_spin = config.segments ? 0.0 : config.model.prescribed_spin();
   return p;
 }
 
 // further: index in mjData.userdata of the memory of the contacts beyond the first.
-void map_contacts(const mjModel* m, Config& config, int further) {
+void map_contacts(const mjModel* m, Config& config, scene::ContactModel contact_model,
+                  int further) {
   for (std::size_t k = 0; k < config.model.auxiliary.size(); ++k) {
-    // Entry e of a pair is at data + e (user_data.h).
-    const int data =
+    const int userdata =
         k == 0 ? kFirstContact : further + kEntries<ContactEntries> * static_cast<int>(k - 1);
-    config.pairs.push_back(map_contact(m, config, k, data));
+    config.pairs.push_back(map_contact(m, config, k, contact_model, userdata));
   }
 }
 
@@ -200,7 +201,7 @@ int map_memory(const mjModel* m, const scene::Scene& scene, Config& config) {
                                       VerletStepper::memory_size(config.model));
   }
   if (config.shadow) {
-    config.shadow->data = needed;
+    config.shadow->userdata = needed;
     needed += names::shadow_data_size(ZeroOrderHold::memory_size(config.shadow->model),
                                       VerletStepper::memory_size(config.shadow->model));
   }
@@ -216,7 +217,7 @@ int map_memory(const mjModel* m, const scene::Scene& scene, Config& config) {
 
 // Impacts of finite duration with `rigid` are possible in the native step alone.
 void check_impacts(const scene::Scene& scene, const Config& config) {
-  if (config.contact != scene::ContactModel::kRigid) return;
+  if (config.contact_model() != scene::ContactModel::kRigid) return;
   const bool lags = config.model.first().lags();
   const bool native = config.takes_native_steps() && !config.shadow && !lags;
   read_scene([&] {
@@ -250,15 +251,15 @@ Config generated_config(const mjModel* m) {
     map_joints(m, config);
   }
   if (scene.first().contact) {
-    config.contact = contact_model(m, names::kContactText, scene.mujoco.contact);
-    if (!config.segments && scene.auxiliary.size() > 1 && scene::is_cone(config.contact)) {
+    const scene::ContactModel model = contact_model(m, names::kContactText, scene.mujoco.contact);
+    if (!config.segments && scene.auxiliary.size() > 1 && scene::is_cone(model)) {
       refuse(text_element(names::kContactText),
              "MuJoCo's cone supports only one contact of the modal chain; for several choose rigid "
              "or coulomb, or a scene with mujoco.rotor = \"segments\"");
     }
-    map_contacts(m, config, further);
+    map_contacts(m, config, model, further);
     for (const scene::AuxiliaryBearing& at : scene.auxiliary) {
-      if (!scene::is_cone(config.contact) || at.contact->friction.is_constant()) continue;
+      if (!scene::is_cone(model) || at.contact->friction.is_constant()) continue;
       refuse(text_element(names::kContactText),
              "MuJoCo's cone has one coefficient for all slips, but the scene's friction depends on "
              "the slip; choose rigid or coulomb");

@@ -63,9 +63,9 @@ class KeptReferences {
   mjtNum *aref_, *velocity_;  // as MuJoCo computes them
 };
 
-// Takes back the places that others have overwritten. If another function has collided the pair,
+// Takes back the slots that others have overwritten. If another function has collided the pair,
 // MuJoCo's soft contact is made again, so that even this pass has its contact.
-bool keep_places(const Config& config, const mjModel* m, mjData* d) {
+bool keep_slots(const Config& config, const mjModel* m, mjData* d) {
   keep_callbacks();
   if (!config.has_contact() || !collision_was_lost(config, m)) return false;
   if (!config.has_soft() || !contact_enabled(m)) return false;
@@ -89,8 +89,8 @@ void notice_missed_control(const Config& config, mjData* d) {
   const double mark = fresh_entry(config, d);
   if (mark <= 0.0 || mark == fresh_mark(d) || !distrust_control()) return;
   warn(
-      "rotorub: mjcb_control called the plugin's before, and in the last step did not: that step "
-      "had no contact; the plugin's comes first from now on");
+      "rotorub: your mjcb_control called the plugin's mjcb_control before, but not in the last "
+      "step, so that step had no contact; from now on the plugin's runs first");
 }
 
 void add_loads(const Config& config, const mjModel* m, mjData* d) {
@@ -148,7 +148,7 @@ void apply_command_and_contacts(const Config& config, const mjModel* m, mjData* 
 bool has_escaped(const Config& config, mjData* d) {
   return std::any_of(config.pairs.begin(), config.pairs.end(), [d](const ContactPair& pair) {
     return pair.contact_model == scene::ContactModel::kRigid &&
-           EscapeGuard(contact_entries(pair, d).status).is_outside();
+           ContactStatus(contact_entries(pair, d).status).has(kIsOutside);
   });
 }
 
@@ -162,7 +162,6 @@ void run_control_stage(const Config& config, const mjModel* m, mjData* d) {
   PassMotion motion(config, m, d);
   forget_written_contacts(config, m, d, motion);
   apply_command_and_contacts(config, m, d, motion);
-  remember_places(config, d, motion);
   note_solved_contacts(config, m, d);
   seal_block(config, d);
   mark_active(config, d, (!config.has_contact() || contact_enabled(m)) && !has_escaped(config, d));
@@ -209,7 +208,7 @@ void passive_pass(const mjModel* m, mjData* d) {
   const Config* config = compared == d ? find_config(m, d) : find_config_checked(m, d);
   compared = nullptr;
   if (!config) return;
-  keep_places(*config, m, d);
+  keep_slots(*config, m, d);
   compare_actuators(m, d);
   notice_missed_control(*config, d);
   mark_active(*config, d, false);
@@ -230,7 +229,7 @@ void control_pass(const mjModel* m, mjData* d) {
     refuse_clash(*config, m);
     return;
   }
-  if (keep_places(*config, m, d)) fresh_entry(*config, d) = 0.0;
+  if (keep_slots(*config, m, d)) fresh_entry(*config, d) = 0.0;
   refresh_velocity_stage(*config, m, d);
   run_control_stage(*config, m, d);
 }
@@ -242,8 +241,8 @@ void sensor_pass(const mjModel* m, mjData* d, int stage) {
   fill_sensors(*config, m, d, stage);
   if (stage == mjSTAGE_ACC && config->cells_in_callback) fill_load_cells(*config, m, d);
   if (stage == mjSTAGE_ACC) compare_actuators(m, d);
-  const mjtStage told = control_skipped(m) ? mjSTAGE_VEL : mjSTAGE_ACC;
-  if (stage >= told) refill_sensors(*config, m, d);
+  const mjtStage known = control_skipped(m) ? mjSTAGE_VEL : mjSTAGE_ACC;
+  if (stage >= known) refill_sensors(*config, m, d);
 }
 
 bool collide_pair(const mjModel* m, const mjData* d, CollisionContact* con, int g1, int g2,

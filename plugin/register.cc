@@ -84,10 +84,8 @@ __attribute__((constructor)) void install() {
                  built.c_str());
     std::_Exit(1);
   }
-  const bool before = stands_before_mujoco();
-  if (before) plugin::expect_to_stand_before();
+  if (stands_before_mujoco()) plugin::set_preloaded();
   plugin::install_callbacks();
-  if (before) plugin::stand_behind_sensors();
 }
 
 }  // namespace

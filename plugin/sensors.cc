@@ -84,7 +84,7 @@ void fill_shadow_sensors(const Config& config, mjData* d) {
     const Coordinates state(config, d);
     put(d, s.mujoco_rotor, rotor_point(config.model, state.q()));
   }
-  const ShadowEntries& entry = entries<ShadowEntries>(d, s.data);
+  const ShadowEntries& entry = entries<ShadowEntries>(d, s.userdata);
   const double* q = shadow_state(config, d);
   put(d, s.rotor, rotor_point(model, q));
   put(d, s.stator, ring_centre(model, q));

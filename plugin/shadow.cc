@@ -61,7 +61,7 @@ void stop(ShadowEntries& entry, Status status, const char* warning) {
 void say_edited(ShadowEntries& entry) {
   if (entry.edited != 0.0) return;
   entry.edited = 1.0;
-  mju_warning("rotorub: shadow: mjModel was edited: it starts anew from MuJoCo's state");
+  mju_warning("rotorub: shadow: mjModel was edited: the shadow restarts from MuJoCo's state");
 }
 
 // MuJoCo's state in the coordinates of the shadow's model, including those of its coils, whose
@@ -94,14 +94,14 @@ void begin(const Config& config, const mjModel* m, mjData* d, ShadowEntries& ent
   // The model was made for a smaller step, which the user has changed since.
   if (!step_refusal(worker.model, h).empty()) {
     stop(entry, Status::kStepTooLarge,
-         "rotorub: shadow: <option timestep> is beyond 2 / omega_max of the native model: it "
-         "stands still");
+         "rotorub: shadow: <option timestep> is beyond 2 / omega_max of the native model: the "
+         "shadow has stopped");
   } else {
     entry.status = static_cast<double>(Status::kOk);
   }
 }
 
-constexpr const char* kFailed = "rotorub: shadow: its controller failed: it stands still";
+constexpr const char* kFailed = "rotorub: shadow: its controller failed: the shadow has stopped";
 
 // The mean command of its own controller about t, where step k begins.
 Eigen::Vector2d own_command(Worker& worker, std::int64_t k, double t, double h) {
@@ -143,9 +143,9 @@ void step(const Config& config, const mjModel* m, mjData* d, ShadowEntries& entr
   if (done.status != Status::kOk) {
     stop(entry, done.status,
          done.status == Status::kDiverged
-             ? "rotorub: shadow: the state is no longer finite: it stands still"
-             : "rotorub: shadow: the contact laws have no solution or several (Painleve): it "
-               "stands still");
+             ? "rotorub: shadow: the state is no longer finite: the shadow has stopped"
+             : "rotorub: shadow: the contact laws have no unique solution (Painleve): the shadow "
+               "has stopped");
     return;
   }
   worker.stepper.save(stepper_memory(config, entry));
@@ -159,8 +159,8 @@ void step(const Config& config, const mjModel* m, mjData* d, ShadowEntries& entr
 }  // namespace
 
 void advance_shadow(const Config& config, const mjModel* m, mjData* d) {
-  ShadowEntries& entry = entries<ShadowEntries>(d, config.shadow->data);
-  const double h = m->opt.timestep, margin = 1e-6 * h;
+  ShadowEntries& entry = entries<ShadowEntries>(d, config.shadow->userdata);
+  const double h = m->opt.timestep, margin = time_tolerance(h, d->time);
   const double passed = d->time - entry.time;
   const bool same_time = std::abs(passed) <= margin;
   const bool runs = entry.status == static_cast<double>(Status::kOk);
@@ -172,7 +172,7 @@ void advance_shadow(const Config& config, const mjModel* m, mjData* d) {
     return;
   }
   if (same_time || (passed > 0.0 && passed < h - margin)) return;
-  if (!(std::abs(passed - h) <= margin)) {
+  if (!is_next_step(passed, h, d->time)) {
     begin(config, m, d, entry);
     return;
   }
@@ -181,7 +181,7 @@ void advance_shadow(const Config& config, const mjModel* m, mjData* d) {
 }
 
 const double* shadow_state(const Config& config, const mjData* d) {
-  const auto& entry = entries<ShadowEntries>(d, config.shadow->data);
+  const auto& entry = entries<ShadowEntries>(d, config.shadow->userdata);
   return VerletStepper::saved_q(behind(entry) + ZeroOrderHold::memory_size(config.shadow->model));
 }
 

@@ -2,17 +2,13 @@
 
 #include <algorithm>
 
+#include "plugin/contact/contact_status.h"
 #include "plugin/model/message.h"
 #include "plugin/model/mujoco_versions.h"
 #include "plugin/model/user_data.h"
 
 namespace rotorub::plugin {
 namespace {
-
-// Bits in ContactEntries::status of the first contact, above the bits of EscapeGuard.
-enum { kInSolver = 128, kSolverWasTold = 256 };
-
-int bits(const mjtNum& entry) { return static_cast<int>(entry); }
 
 bool solves(const Config& config, const mjModel* m, const mjContact& c) {
   if (c.efc_address < 0) return false;
@@ -26,13 +22,13 @@ bool solves(const Config& config, const mjModel* m, const mjContact& c) {
 }  // namespace
 
 void watch_solver(const Config& config, const mjModel* m, mjData* d) {
-  mjtNum& entry = model_entries(config, d).contact.status;
-  if (!(bits(entry) & kInSolver) || (bits(entry) & kSolverWasTold)) return;
+  ContactStatus status(model_entries(config, d).contact.status);
+  if (!status.has(kInSolver) || status.has(kSolverWarned)) return;
   // MuJoCo's default tolerance. With a smaller one the solver may stop at round-off.
   constexpr double kMatters = 1e-8;
   const double left = unconverged(m, d);
   if (!(left > kMatters)) return;
-  entry = bits(entry) | kSolverWasTold;
+  status.set(kSolverWarned, true);
   warn(message(
            "rotorub: MuJoCo's solver stopped at iterations=\"{}\" at t = {} s, in a step with a "
            "contact of the plugin; its last iteration still improved by {} (tolerance {}), so the "
@@ -42,11 +38,11 @@ void watch_solver(const Config& config, const mjModel* m, mjData* d) {
 }
 
 void note_solved_contacts(const Config& config, const mjModel* m, mjData* d) {
-  mjtNum& entry = model_entries(config, d).contact.status;
   const bool any = (config.has_soft() || !config.corrected_pairs.empty()) &&
                    std::any_of(d->contact, d->contact + d->ncon,
                                [&](const mjContact& c) { return solves(config, m, c); });
-  if (any != ((bits(entry) & kInSolver) != 0)) entry = bits(entry) ^ kInSolver;
+  ContactStatus status(model_entries(config, d).contact.status);
+  if (any != status.has(kInSolver)) status.set(kInSolver, any);
 }
 
 }  // namespace rotorub::plugin

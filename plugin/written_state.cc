@@ -41,13 +41,7 @@ void forget_written_contacts(const Config& config, const mjModel* m, mjData* d,
     mjtNum& lasted = entry.time == d->time ? entry.before : entry.now;
     if (lasted == 0.0 || !is_written(pair, motion.of(pair), m->opt.timestep, lasted)) return;
     lasted = 0.0;
-    EscapeGuard(entry.status).begin();
-  });
-}
-
-void remember_places(const Config& config, mjData* d, PassMotion& motion) {
-  for_each_rigid(config, d, [&](const ContactPair& pair, ContactEntries& entry) {
-    if (entry.now != 0.0) entry.now = motion.of(pair).point().delta;
+    ContactStatus(entry.status).begin();
   });
 }
 

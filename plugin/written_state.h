@@ -20,7 +20,4 @@ namespace rotorub::plugin {
 // Call it before the contacts are solved. A written state ends every lasting contact.
 void forget_written_contacts(const Config& config, const mjModel* m, mjData* d, PassMotion& motion);
 
-// Call it after the contacts are solved. It remembers the place of each lasting contact.
-void remember_places(const Config& config, mjData* d, PassMotion& motion);
-
 }  // namespace rotorub::plugin

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "native_model/numerics/hermite.h"
 #include "native_model/trajectory/columns.h"
 
 namespace rotorub::renders {
@@ -22,14 +23,6 @@ const std::vector<double>& need(const Trajectory& trajectory, const std::string&
     throw std::runtime_error(fmt::format("the series has no values in column `{}`", name));
   }
   return values;
-}
-
-// Cubic Hermite interpolation on [0, h]: values a, b and slopes da, db at the ends.
-double hermite(double a, double da, double b, double db, double h, double t) {
-  const double s = t / h;
-  const double rest = 1.0 - s;
-  return rest * rest * ((1.0 + 2.0 * s) * a + t * da) +
-         s * s * ((3.0 - 2.0 * s) * b - rest * h * db);
 }
 
 Eigen::Vector2d direction(const Eigen::Vector2d& d) {
@@ -113,11 +106,10 @@ double Playback::interpolate(const Track& track, std::size_t row, double t, bool
   const double from = (*time_)[row];
   const double h = (*time_)[row + 1] - from;
   if (h <= 0.0) return value[row + 1];
-  if (smooth && track.rate != nullptr) {
-    return hermite(value[row], (*track.rate)[row], value[row + 1], (*track.rate)[row + 1], h,
-                   t - from);
-  }
   const double s = (t - from) / h;
+  if (smooth && track.rate != nullptr) {
+    return hermite(value[row], (*track.rate)[row], value[row + 1], (*track.rate)[row + 1], h, s);
+  }
   return (1.0 - s) * value[row] + s * value[row + 1];
 }
 

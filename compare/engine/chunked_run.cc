@@ -9,9 +9,9 @@
 namespace rotorub {
 namespace {
 
-struct TellWorks {
-  explicit TellWorks(plugin::StepWorks* to) { plugin::tell_works(to); }
-  ~TellWorks() { plugin::tell_works(nullptr); }
+struct RecordWorks {
+  explicit RecordWorks(plugin::StepWorks* to) { plugin::record_works(to); }
+  ~RecordWorks() { plugin::record_works(nullptr); }
 };
 
 }  // namespace
@@ -65,7 +65,7 @@ std::size_t ChunkedRun::advance(std::size_t wanted) {
 }
 
 bool ChunkedRun::step() {
-  const TellWorks told(&works_);
+  const RecordWorks recording(&works_);
   try {
     if (control_) commanded_ = control_(data_.get());
     mj_step(m_, data_.get());
@@ -86,7 +86,7 @@ bool ChunkedRun::step() {
 }
 
 StepResult ChunkedRun::last_half() {
-  const TellWorks told(&works_);
+  const RecordWorks recording(&works_);
   mj_forward(m_, data_.get());
   read_state(states_.data());
   std::copy_n(plugin::velocities_of_pass(config_, data_.get()), size(), states_.data() + size());

@@ -35,7 +35,7 @@ scene::Scene with_options(const scene::Scene& scene, const MujocoOptions& option
 }
 
 bool takes_solref(const scene::Scene& scene, const plugin::Config& config) {
-  return config.has_contact() && config.contact != scene::ContactModel::kRigid &&
+  return config.has_contact() && config.contact_model() != scene::ContactModel::kRigid &&
          !scene.is_compliant();
 }
 
@@ -90,7 +90,7 @@ Trajectory run_mujoco(const scene::Scene& scene, const MujocoSetup& setup,
   ChunkedRun run(setup, static_cast<bool>(options.watch));
   WatchFeed feed(model, step, options.watch);
   feed.begin(run.start_q(), run.start_v());
-  MujocoRecord record(model, config.contact == scene::ContactModel::kRigid, step,
+  MujocoRecord record(model, config.contact_model() == scene::ContactModel::kRigid, step,
                       options.output_times.value_or(output_times(scene.run)),
                       options.window > 0.0 ? options.window : kWindowSteps * step);
   record.begin(run.start_q(), run.start_v());
@@ -147,7 +147,7 @@ Trajectory run_mujoco(const scene::Scene& scene, const MujocoSetup& setup,
   Trajectory out = record.finish(status == Status::kOk ? scene.run.end : reached);
   out.engine = "mujoco";
   out.integrator = setup.m->opt.integrator == mjINT_IMPLICIT ? "implicit" : "euler";
-  out.contact_model = to_string(config.contact);
+  out.contact_model = to_string(config.contact_model());
   out.step = step;
   out.steps = k;
   out.wall_s = run.wall();
@@ -155,7 +155,7 @@ Trajectory run_mujoco(const scene::Scene& scene, const MujocoSetup& setup,
   if (status != Status::kOk && status != Status::kStepTooLarge) {
     message += " at t = " + std::to_string(reached) + " s";
   }
-  if (status == Status::kOk && config.contact != scene::ContactModel::kRigid) {
+  if (status == Status::kOk && config.contact_model() != scene::ContactModel::kRigid) {
     message = unused_by_soft_contacts(scene);
   }
   out.message = message;

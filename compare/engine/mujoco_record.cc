@@ -233,7 +233,7 @@ Trajectory MujocoRecord::finish(double end) {
 // m/s: the slip from a prescribed spin. The machine that holds the spin does this work, not the
 // coordinates.
 double MujocoRecord::held(std::size_t contact) const {
-  return model_.layout.spin ? 0.0 : model_.auxiliary[contact].contact->radius * model_.speed;
+  return model_.auxiliary[contact].contact->radius * model_.prescribed_spin();
 }
 
 // Counts the impacts of the previous step.

@@ -324,7 +324,7 @@ OwnMachine::OwnMachine(const std::filesystem::path& file, const OwnRun& run) : f
     refusals.attempt([&] { check_starts(m.get(), config); });
   }
   refusals.raise();
-  contact_ = config.contact;
+  contact_ = config.contact_model();
   if (!run.control.empty()) {
     controller_ = controller_of(run.control, m->opt.timestep);
     actuators_ = ring_actuators(m.get(), config);

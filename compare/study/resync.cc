@@ -12,11 +12,11 @@ namespace rotorub {
 
 void OnsetWatch::step(const WatchedStep& s) {
   if (s.normal_impulse > 0.0) {
-    if (flew()) meet(s);
+    if (flew()) begin_contact(s);
     if (open_) add(s);
     flight_ = 0;
   } else {
-    if (open_ && flight_ == 0) part(s);
+    if (open_ && flight_ == 0) end_force(s);
     ++flight_;
   }
   const Layout& l = model_->layout;
@@ -29,7 +29,7 @@ void OnsetWatch::step(const WatchedStep& s) {
 }
 
 // Called at the first impulse after a free phase.
-void OnsetWatch::meet(const WatchedStep& s) {
+void OnsetWatch::begin_contact(const WatchedStep& s) {
   if (open_) onsets_.back().end = 0.5 * (last_force_ + s.t);
   open_ = false;
   const ContactPoint p = contact_point(*model_, before_.q.data(), before_.v.data());
@@ -64,7 +64,7 @@ void OnsetWatch::add(const WatchedStep& s) {
 }
 
 // Called at the first step without force after steps with force.
-void OnsetWatch::part(const WatchedStep& s) {
+void OnsetWatch::end_force(const WatchedStep& s) {
   if (rebounded_) return;
   onsets_.back().mujoco.rebound = contact_point(*model_, s.q, s.v).gap_rate;
   rebounded_ = true;

@@ -60,9 +60,9 @@ class OnsetWatch {
   int left_out() const { return left_out_; }
 
  private:
-  void meet(const WatchedStep& step);
+  void begin_contact(const WatchedStep& step);
   void add(const WatchedStep& step);
-  void part(const WatchedStep& step);
+  void end_force(const WatchedStep& step);
   bool flew() const { return flight_ >= kShortestFlight; }
 
   const Model* model_;

@@ -145,11 +145,11 @@ class Comparison {
     }
     result_.shadow = shadow_column(runner_, result_.native, commands(decider()), options_);
     if (result_.commands && !result_.own) run_without_control();
-    lay_measured_in();
+    align_measured();
   }
 
   // Done before the longer part of the work, because it may fail.
-  void lay_measured_in() {
+  void align_measured() {
     if (!options_.measured || runner_.interrupted()) return;
     std::vector<RunToHold> runs;
     for (const Side* side : result_.sides()) runs.push_back({side->label, &side->trajectory});
@@ -199,7 +199,7 @@ class Comparison {
       predict_onsets();
     } else {
       run_twins_of_both();
-      climb();
+      run_smaller_steps();
     }
     if (replays() && !runner_.interrupted()) replay_floor_ = replay_floor(runner_, result_.scene);
     time_runs(runner_, all_, options_.timing_repeats, replayed_commands());
@@ -242,7 +242,7 @@ class Comparison {
     });
   }
 
-  std::vector<Contestant*> dearest_first() {
+  std::vector<Contestant*> slowest_first() {
     std::vector<Contestant*> order;
     for (Contestant& who : all_) order.push_back(&who);
     std::ranges::sort(order, std::greater{},
@@ -251,7 +251,7 @@ class Comparison {
   }
 
   // Runs all sides at half the step, then those at a quarter where it matters.
-  void climb() {
+  void run_smaller_steps() {
     const auto test = [this](const Contestant& who) {
       const Side& native = native_of(who);
       return StepTest{native.metrics, options_.tolerance, single_run_intervals(repeats(native))};
@@ -263,7 +263,7 @@ class Comparison {
       return needs_quarter(*who.side, who.ladder[1], test(who)) ||
              (replays() && needs_quarter(native_of(who), who.native_ladder[1], test(who)));
     };
-    const std::vector<Contestant*> order = dearest_first();
+    const std::vector<Contestant*> order = slowest_first();
     for (std::size_t rung = 1; rung < kRungs; ++rung) {
       in_parallel(order.size(), options_.jobs, options_.interrupt, {}, [&](std::size_t job) {
         Contestant& who = *order[job];

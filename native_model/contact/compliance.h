@@ -21,6 +21,8 @@
 #include <cmath>
 #include <optional>
 
+#include "native_model/contact/kinematics.h"
+
 namespace rotorub {
 
 // [contact.compliance]
@@ -60,11 +62,8 @@ struct CompliantLaw {
   // True if a contact is closed in a state that no motion led to (a start, a reset, a keyframe, a
   // state that was written): it penetrates at any speed, or rests on the circle. gap, clearance: m;
   // gap_rate: m/s.
-  static constexpr double kOnCircle = 1e-12;  // of the clearance; smaller gaps count as 0
-  static constexpr double kAtRest = 1e-9;     // m/s; smaller gap rates count as 0
   static bool begins_closed(double gap, double gap_rate, double clearance) {
-    const double round_off = kOnCircle * clearance;
-    return gap < -round_off || (gap <= round_off && std::abs(gap_rate) <= kAtRest);
+    return gap < -kOnCircle * clearance || rests_on_circle(gap, gap_rate, clearance);
   }
   // s/m, a of a contact that begins closed: the stated value, or 0.
   double a_of_start() const { return hunt_crossley; }

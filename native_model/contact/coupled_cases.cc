@@ -11,10 +11,10 @@ constexpr double kCaseRoundOff = 1e-11;  // relative to the rates and impulses o
 }  // namespace
 
 bool distinct(const Case& c, const ContactSet& set) {
-  if (set.normal_known && !c.at_least) return false;
+  if (set.normal_known && !c.at_bound) return false;
   if (c.friction == Bound::kLow) return true;
   const bool one_bound = set.slides != 0.0 || (set.friction == 0.0 && set.floor == 0.0);
-  return !one_bound && !(c.at_least && set.least_normal == 0.0);
+  return !one_bound && !(c.at_bound && set.least_normal == 0.0);
 }
 
 CoupledProblem::CoupledProblem(const ContactMatrix& a, const ContactVector& b,
@@ -31,7 +31,7 @@ Cases CoupledProblem::all_closed(const Cases& cases, const CoupledSolution& s) c
   Cases closed = cases;
   for (int i = 0; i < n_; ++i) {
     Case& c = closed[static_cast<std::size_t>(i)];
-    if (set(i).normal_known || !c.at_least || s.y[2 * i] > rates) continue;
+    if (set(i).normal_known || !c.at_bound || s.y[2 * i] > rates) continue;
     const double slip = s.y[2 * i + 1];
     c = {false, slip > rates ? Bound::kLow : slip < -rates ? Bound::kHigh : Bound::kStick};
     if (!distinct(c, set(i))) c.friction = Bound::kLow;
@@ -48,7 +48,7 @@ Cases CoupledProblem::cases_of(const ContactVector& p) const {
   for (int i = 0; i < n_; ++i) {
     const double friction = next(2 * i + 1);
     Case& c = cases[static_cast<std::size_t>(i)];
-    c.at_least = set(i).normal_known || next(2 * i) <= set(i).least_normal;
+    c.at_bound = set(i).normal_known || next(2 * i) <= set(i).least_normal;
     c.friction = friction < set(i).low(p[2 * i])    ? Bound::kLow
                  : friction > set(i).high(p[2 * i]) ? Bound::kHigh
                                                     : Bound::kStick;
@@ -77,7 +77,7 @@ ContactVector CoupledProblem::impulses(const Cases& cases) const {
   for (int i = 0; i < n_; ++i) {
     const Case& c = cases[static_cast<std::size_t>(i)];
     const int normal = 2 * i, friction = normal + 1;
-    if (c.at_least) {
+    if (c.at_bound) {
       s.given[normal] = set(i).least_normal;
     } else {
       s.set_unknown(normal);
@@ -90,7 +90,7 @@ ContactVector CoupledProblem::impulses(const Cases& cases) const {
       return c.friction == Bound::kLow ? set(i).low(l) : set(i).high(l);
     };
     s.given[friction] = bound(s.given[normal]);
-    if (!c.at_least) s.tie(friction, bound(1.0) - bound(0.0));
+    if (!c.at_bound) s.tie(friction, bound(1.0) - bound(0.0));
   }
   return s.solve(a_, b_);
 }
@@ -100,10 +100,10 @@ bool CoupledProblem::in_set(const Case& c, const ContactSet& set, int i, Coupled
   double &normal = s.p[2 * i], &friction = s.p[2 * i + 1];
   double &gap_rate = s.y[2 * i], &slip = s.y[2 * i + 1];
   if (!set.normal_known) {
-    if (c.at_least ? gap_rate < -rates : std::abs(gap_rate) > rates) return false;
+    if (c.at_bound ? gap_rate < -rates : std::abs(gap_rate) > rates) return false;
     if (normal < set.least_normal - impulses) return false;
     normal = std::max(normal, set.least_normal);
-    gap_rate = c.at_least ? std::max(gap_rate, 0.0) : 0.0;  // removes round-off
+    gap_rate = c.at_bound ? std::max(gap_rate, 0.0) : 0.0;  // removes round-off
   }
   const double low = set.low(normal), high = set.high(normal);
   const bool one_bound = high - low <= impulses;

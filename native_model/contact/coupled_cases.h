@@ -12,7 +12,7 @@ namespace rotorub::coupled_cases {
 
 enum class Bound { kLow, kHigh, kStick };
 struct Case {
-  bool at_least = true;  // L_N = n, otherwise y_N = 0
+  bool at_bound = true;  // L_N = n, otherwise y_N = 0
   Bound friction = Bound::kLow;
   bool operator==(const Case&) const = default;
 };

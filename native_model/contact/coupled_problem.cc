@@ -45,9 +45,9 @@ void for_each_combination(const CoupledProblem& problem, Cases& cases, int from,
     action(cases);
     return;
   }
-  for (const bool at_least : {true, false}) {
+  for (const bool at_bound : {true, false}) {
     for (const Bound f : {Bound::kStick, Bound::kLow, Bound::kHigh}) {
-      const Case c{at_least, f};
+      const Case c{at_bound, f};
       if (!distinct(c, problem.set(from))) continue;
       cases[static_cast<std::size_t>(from)] = c;
       for_each_combination(problem, cases, from + 1, action);
@@ -140,7 +140,7 @@ CoupledSolution by_sweeps(const ContactMatrix& a, const ContactVector& b,
       if (s.solutions == 0) return {};
       p.segment(2 * i, 2) = s.p;
       Case& c = found[static_cast<std::size_t>(i)];
-      c.at_least = set[0].normal_known || s.p[0] <= set[0].least_normal;
+      c.at_bound = set[0].normal_known || s.p[0] <= set[0].least_normal;
       c.friction = s.sticks[0]                    ? Bound::kStick
                    : s.p[1] <= set[0].low(s.p[0]) ? Bound::kLow
                                                   : Bound::kHigh;

@@ -71,8 +71,8 @@ class DiscSystem {
     const double none = kSettled * scale(p);
     for (Eigen::Index i = 0; i < n_; ++i) {
       DiscCase& c = cases[static_cast<std::size_t>(i)];
-      if (!c.at_least || y[3 * i] > none) continue;
-      c.at_least = false;
+      if (!c.at_bound || y[3 * i] > none) continue;
+      c.at_bound = false;
       if (y.segment<2>(3 * i + 1).norm() <= none) c.friction = DiscFriction::kStick;
     }
     return cases;
@@ -99,7 +99,7 @@ class DiscSystem {
     Eigen::Vector2d by_normal(0.0, 0.0), given(0.0, 0.0);
     if (c.friction == DiscFriction::kRim) by_normal = -set.friction * c.direction;
     if (c.friction == DiscFriction::kChord) given = set.floor * set.side;
-    if (c.at_least) {
+    if (c.at_bound) {
       s.given[row] = set.least_normal;
       given += set.least_normal * by_normal;
     } else {
@@ -140,7 +140,7 @@ class DiscSystem {
     for (Eigen::Index i = 0; i < n_; ++i) {
       const auto at = static_cast<std::size_t>(i);
       out.sticks[at] = cases[at].friction == DiscFriction::kStick;
-      out.y[3 * i] = cases[at].at_least ? std::max(0.0, out.y[3 * i]) : 0.0;  // removes round-off
+      out.y[3 * i] = cases[at].at_bound ? std::max(0.0, out.y[3 * i]) : 0.0;  // removes round-off
       if (out.sticks[at]) out.y.segment<2>(3 * i + 1).setZero();
     }
     return out;

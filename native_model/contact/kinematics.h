@@ -93,4 +93,16 @@ std::optional<double> reach_circle(const Eigen::Vector2d& p, const Eigen::Vector
 Eigen::Vector2d normal_of_path(const Eigen::Vector2d& d, const Eigen::Vector2d& path,
                                double clearance);
 
+// Round-off of a contact on its circle, |d| = delta_0: a gap of this share of the clearance and a
+// gap rate of kNoGapRate (m/s) count as 0.
+inline constexpr double kOnCircle = 1e-12;
+inline constexpr double kNoGapRate = 1e-9;
+
+// True if the gap is closed. gap, clearance: m.
+inline bool is_on_circle(double gap, double clearance) { return gap <= kOnCircle * clearance; }
+// True if the gap is closed and does not change. gap_rate: m/s.
+inline bool rests_on_circle(double gap, double gap_rate, double clearance) {
+  return is_on_circle(gap, clearance) && std::abs(gap_rate) <= kNoGapRate;
+}
+
 }  // namespace rotorub

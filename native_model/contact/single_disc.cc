@@ -119,7 +119,7 @@ class DiscProblem {
 
  private:
   struct Line {
-    bool at_least;
+    bool at_bound;
     double alpha;
     Eigen::Vector2d beta, c;
     Eigen::Matrix2d s;
@@ -133,7 +133,7 @@ class DiscProblem {
     const auto put = [&](DiscFriction friction, const Eigen::Vector2d& l_t,
                          const Eigen::Vector2d& d) {
       const double normal = line.alpha + line.beta.dot(l_t);
-      take({line.at_least, friction, d}, {normal, l_t.x(), l_t.y()});
+      take({line.at_bound, friction, d}, {normal, l_t.x(), l_t.y()});
     };
     put(DiscFriction::kStick, -stuck(line.s, line.c), {1.0, 0.0});
     if (found()) return;
@@ -141,7 +141,7 @@ class DiscProblem {
     for_each_parallel(line.c, k, [&](const Eigen::Vector2d& d) {
       const double normal = line.alpha / (1.0 + mu * line.beta.dot(d));
       const Eigen::Vector3d p(normal, -mu * normal * d.x(), -mu * normal * d.y());
-      take({line.at_least, DiscFriction::kRim, d}, polished(p, line.at_least));
+      take({line.at_bound, DiscFriction::kRim, d}, polished(p, line.at_bound));
       return !found();
     });
     if (found() || set_.side.isZero(0.0)) return;
@@ -161,17 +161,17 @@ class DiscProblem {
   // One Newton step for y_N = 0 (or the given L_N), L_T x y_T = 0, |L_T| = mu L_N. The angle alone
   // is not accurate enough if 1 + mu beta . d is small or if one direction is far stiffer than the
   // other.
-  Eigen::Vector3d polished(const Eigen::Vector3d& p, bool at_least) const {
+  Eigen::Vector3d polished(const Eigen::Vector3d& p, bool at_bound) const {
     const Eigen::Vector3d y = a_ * p + b_;
     const double mu2 = set_.friction * set_.friction;
-    const Eigen::Vector3d left(at_least ? 0.0 : y.x(), p.y() * y.z() - p.z() * y.y(),
+    const Eigen::Vector3d left(at_bound ? 0.0 : y.x(), p.y() * y.z() - p.z() * y.y(),
                                p.tail<2>().squaredNorm() - mu2 * p.x() * p.x());
     Eigen::Matrix3d slope;
-    slope.row(0) = at_least ? Eigen::RowVector3d(1.0, 0.0, 0.0) : Eigen::RowVector3d(a_.row(0));
+    slope.row(0) = at_bound ? Eigen::RowVector3d(1.0, 0.0, 0.0) : Eigen::RowVector3d(a_.row(0));
     slope.row(1) = p.y() * a_.row(2) - p.z() * a_.row(1) + Eigen::RowVector3d(0.0, y.z(), -y.y());
     slope.row(2) << -2.0 * mu2 * p.x(), 2.0 * p.y(), 2.0 * p.z();
     Eigen::Vector3d better = p - slope.inverse() * left;
-    if (at_least) better.x() = p.x();
+    if (at_bound) better.x() = p.x();
     return better.allFinite() ? better : p;
   }
 
@@ -193,12 +193,12 @@ class DiscProblem {
     const double gap = kDiscRoundOff * terms.x(),
                  rates = kDiscRoundOff * terms.tail<2>().maxCoeff();
     const double impulses = kDiscRoundOff * set_.friction * std::max(p.x(), set_.least_normal);
-    if (c.at_least ? y.x() < -gap : p.x() < set_.least_normal || std::abs(y.x()) > gap) return;
+    if (c.at_bound ? y.x() < -gap : p.x() < set_.least_normal || std::abs(y.x()) > gap) return;
     const Eigen::Vector2d l_t = p.tail<2>(), y_t = y.tail<2>();
     if (l_t.norm() > set_.friction * p.x() + impulses) return;
     if (l_t.dot(set_.side) < set_.floor - impulses) return;
     if (!opposes(c, l_t, y_t, rates)) return;
-    y.x() = c.at_least ? std::max(0.0, y.x()) : 0.0;  // removes round-off
+    y.x() = c.at_bound ? std::max(0.0, y.x()) : 0.0;  // removes round-off
     if (c.friction == DiscFriction::kStick) y.tail<2>().setZero();
     if (best_.solutions > 0) {
       const Eigen::Vector3d apart = (y - best_.y).cwiseAbs();

@@ -20,7 +20,7 @@ struct DiscSet {
 
 enum class DiscFriction { kStick, kRim, kChord, kCorner };
 struct DiscCase {
-  bool at_least = true;  // L_N = n, otherwise y_N = 0
+  bool at_bound = true;  // L_N = n, otherwise y_N = 0
   DiscFriction friction = DiscFriction::kRim;
   Eigen::Vector2d direction{1.0, 0.0};  // d, for sliding on the rim
 };

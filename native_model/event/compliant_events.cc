@@ -20,7 +20,7 @@ void EventIntegrator::begin_in_walls() {
     const ContactParameters& contact = *model_->auxiliary[k].contact;
     if (CompliantLaw::begins_closed(p.gap, p.gap_rate, contact.clearance)) {
       begin_touch(k, contact.compliance.a_of_start());
-    } else if (p.gap <= CompliantLaw::kOnCircle * contact.clearance && p.gap_rate < 0.0) {
+    } else if (is_on_circle(p.gap, contact.clearance) && p.gap_rate < 0.0) {
       begin_touch(k, contact.compliance.a_of_touch(-p.gap_rate));
     }
   }

@@ -13,7 +13,6 @@ namespace {
 
 using Velocity = Constraint::Velocity;
 
-constexpr double kOnCircle = 1e-12;  // of the clearance; smaller gaps count as 0
 constexpr double kNoSpeed = 1e-12;  // relative to the speeds; smaller gap rates or slips count as 0
 constexpr double kDrift = 1e-9;     // the same for the slip of a compliant contact that sticks
 constexpr double kNoForce = 1e-12;  // relative to the largest force; less counts as 0
@@ -32,7 +31,7 @@ EventIntegrator::Closed EventIntegrator::on_circles() const {
     const auto& contact = model_->auxiliary[k].contact;
     if (!contact || contact->is_compliant()) continue;
     const double gap = contact_point(*model_, motion_.q(), motion_.v(), k).gap;
-    if (phase_.in_contact(k) || phase_.state(k).redundant || gap <= kOnCircle * contact->clearance)
+    if (phase_.in_contact(k) || phase_.state(k).redundant || is_on_circle(gap, contact->clearance))
       closed.push_back({k, Velocity::kAny});
   }
   return closed;

@@ -23,9 +23,9 @@ ContactDecisions sliding_alone(const Delassus& g, double normal, double slip, do
   if (sliding_coefficient(g, mu * sign) <= 0.0) {
     const bool closing = normal < 0.0;
     decided.status = closing ? Status::kNoSolution : Status::kAmbiguous;
-    decided.reason = closing ? "frictional jamming (Painleve): sliding pushes itself in, and the "
+    decided.reason = closing ? "frictional jamming (Painleve): sliding wedges the contact, and the "
                                "contact forces have no solution"
-                             : "frictional jamming (Painleve): sliding pushes itself in, and the "
+                             : "frictional jamming (Painleve): sliding wedges the contact, and the "
                                "contact forces have several solutions";
   } else {
     decided.next.push_back(normal >= 0.0 ? kParts : ContactState{Mode::kSlide, sign});
@@ -92,7 +92,8 @@ ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVecto
 }
 
 PhaseEnd end_of_phase(Mode mode, const Margins& margins, const MarginScales& scales) {
-  if (margins.force / scales.force <= margins.cone / scales.cone(mode)) return PhaseEnd::kOpens;
+  if (margins.force / scales.force <= margins.tangential / scales.tangential(mode))
+    return PhaseEnd::kOpens;
   return mode == Mode::kSlide ? PhaseEnd::kSlipStops : PhaseEnd::kSlipBegins;
 }
 

@@ -56,12 +56,12 @@ struct Margins {
   double force;  // N, lambda_N; if compliant, CompliantLaw::margin(); in the wall, its spring part
   // Sliding: m/s, slip along its sign. Sticking: N, mu lambda_N - |lambda_T|. Free in the wall: N,
   // negative of CompliantLaw::margin().
-  double cone;
+  double tangential;
 };
 // Typical sizes of the margins.
 struct MarginScales {
   double force, speed;  // N, m/s
-  double cone(Mode mode) const { return mode == Mode::kSlide ? speed : force; }
+  double tangential(Mode mode) const { return mode == Mode::kSlide ? speed : force; }
 };
 
 // The end of a phase when one of its margins is reached.

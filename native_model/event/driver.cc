@@ -45,7 +45,7 @@ EventIntegrator::Result EventIntegrator::run(const State& start, double end, Rec
       fail(Status::kInterrupted, "interrupted");
     }
   }
-  book_switches();
+  count_switching_work();
   result_.end = motion_.t;
   result_.rejected = step_.rejected();
   observer_.finish(motion_);
@@ -71,7 +71,7 @@ void EventIntegrator::begin(const State& start, double end, Recorder& recorder) 
   observer_.begin(motion_, recorder);
   stalled_ = 0;
   last_event_ = -1.0;
-  booked_ = start.t;
+  switching_work_until_ = start.t;
   sample_controllers();
   begin_in_walls();
   begin_on_circles(on_circles());
@@ -188,19 +188,21 @@ void EventIntegrator::count_event() {
   const double t = motion_.t;
   if (t - last_event_ > 1e-15 * std::max(1e-3, t)) stalled_ = 0;
   last_event_ = t;
-  if (++stalled_ > parameters_.stall_limit) fail(Status::kNoSolution, "events without end");
+  if (++stalled_ > parameters_.stall_limit)
+    fail(Status::kNoSolution, "more than " + std::to_string(parameters_.stall_limit) +
+                                  " events at one instant, so the contact state does not settle");
 }
 
-void EventIntegrator::book_switches() {
+void EventIntegrator::count_switching_work() {
   motion_.integral(kExternalWork) +=
-      switching_work(*model_, booked_, motion_.t, motion_.q(), motion_.v());
-  booked_ = motion_.t;
+      switching_work(*model_, switching_work_until_, motion_.t, motion_.q(), motion_.v());
+  switching_work_until_ = motion_.t;
 }
 
 // Loads or the command jump here. Lasting contacts, and contacts lost at this very instant, are
 // decided anew.
 void EventIntegrator::arrive_at_break() {
-  book_switches();
+  count_switching_work();
   sample_controllers();
   Closed resting;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
@@ -266,11 +268,13 @@ void EventIntegrator::fail_step() {
 void EventIntegrator::fail(Status status, const std::string& why) {
   if (result_.status != Status::kOk) return;
   result_.status = status;
-  result_.message = why + " at t = " + std::to_string(motion_.t) + " s, ";
+  const bool several = phase_.contacts() > 1;
+  result_.message = why + " at t = " + std::to_string(motion_.t) + " s (" +
+                    (several ? "contacts: " : "contact: ");
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     result_.message += (k > 0 ? ", " : "") + std::string(to_string(phase_.state(k).mode));
   }
-  result_.message += " contact state";
+  result_.message += ")";
 }
 
 }  // namespace rotorub

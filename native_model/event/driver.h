@@ -76,9 +76,12 @@ class EventIntegrator {
   void restore(const Moving& saved);
 
  private:
+  // References to the members that change during a run, except the recorder.
+  template <class Self>
+  static auto moving_members(Self& self);
   void begin_in_walls();
   void arrive_at_break();
-  void book_switches();
+  void count_switching_work();
   void sample_controllers();
   void controller_failed(const std::string& why);
   void move_to(double now, std::optional<double> theta);
@@ -149,7 +152,7 @@ class EventIntegrator {
   std::vector<double> force_scale_;      // N, largest force at each contact so far, also balanced
   int stalled_ = 0;                      // number of events since time advanced
   double last_event_ = 0.0;              // s
-  double booked_ = 0.0;                  // s, the work of switched loads is counted up to here
+  double switching_work_until_ = 0.0;    // s, the work of switched loads is counted up to here
 };
 
 }  // namespace rotorub

@@ -106,12 +106,12 @@ std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode 
   const Margins& lowest = step.lowest(contact);
   const double none = -parameters.margin_round_off;
   if (lowest.force > -parameters.no_force * scales.force &&
-      lowest.cone > none * scales.cone(mode)) {
+      lowest.tangential > none * scales.tangential(mode)) {
     return {};
   }
   const auto margin = [&](double theta) {
     const Margins& m = step.margins(contact, theta);
-    return std::min(m.force / scales.force, m.cone / scales.cone(mode));
+    return std::min(m.force / scales.force, m.tangential / scales.tangential(mode));
   };
   constexpr int kSamples = 16;
   constexpr double kInstant = 1e-12;  // relative to the step
@@ -127,7 +127,7 @@ std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode 
     if (f_lo > 0.0) return std::max(root(margin, lo, hi, f_lo, f_hi).first, kNow);
     // The step began on a margin, which need not be the one that is crossed.
     const auto force = [&](double theta) { return step.margins(contact, theta).force; };
-    const auto cone = [&](double theta) { return step.margins(contact, theta).cone; };
+    const auto tangential = [&](double theta) { return step.margins(contact, theta).tangential; };
     const auto crossing = [&](const auto& one, double scale) {
       const double one_lo = one(lo), one_hi = one(hi);
       if (one_hi >= none * scale) return kInfinity;
@@ -142,7 +142,8 @@ std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode 
       }
       return lo;
     };
-    const double first = std::min(crossing(force, scales.force), crossing(cone, scales.cone(mode)));
+    const double first =
+        std::min(crossing(force, scales.force), crossing(tangential, scales.tangential(mode)));
     return std::max(std::isfinite(first) ? first : lo, kNow);
   }
   return {};

@@ -48,7 +48,8 @@ ContactSnapshot Observer::snapshot_of(std::size_t k, double t, const double* y) 
 Snapshot Observer::snapshot(double t, const double* y) {
   phase_->derivative(t, y, slope_.data());
   for (std::size_t k = 0; k < others_.size(); ++k) others_[k] = snapshot_of(k + 1, t, y);
-  return {snapshot_of(0, t, y), t, y, y + model_->nq(), others_};
+  const int nq = model_->nq();  // the integrals are stored after the velocities
+  return {snapshot_of(0, t, y), t, y, y + nq, others_, y + 2 * nq};
 }
 
 Snapshot Observer::within(const Motion& from, SmoothStep& step, Constraint& constraint, double t) {
@@ -58,9 +59,8 @@ Snapshot Observer::within(const Motion& from, SmoothStep& step, Constraint& cons
   return snapshot(t, row_.data());
 }
 
-// The integrals are stored after the velocities.
 double Observer::normal_impulse(const Snapshot& at, std::size_t contact) const {
-  return at.q[2 * model_->nq() + integral_index(kNormalImpulse, contact)] +
+  return at.integrals[integral_index(kNormalImpulse, contact)] +
          of_contacts_[contact].impulse_total;
 }
 
@@ -77,7 +77,7 @@ double Observer::contact_work(const Motion& motion) const {
 }
 
 double Observer::prescribed_speed(std::size_t k) const {
-  return model_->layout.spin ? 0.0 : model_->auxiliary[k].contact->radius * model_->speed;
+  return model_->auxiliary[k].contact->radius * model_->prescribed_spin();
 }
 
 // Averages the normal force over bins of fixed width, as a fixed-step engine reports it, for its
@@ -221,7 +221,7 @@ void Observer::release(const Motion& motion, const ClosedContact& at) {
   } else if (lasted <= recorder_->window()) {  // beside a rigid contact
     recorder_->statistics().impact_time += lasted;
   }
-  touch.open = false;
+  touch.active = false;
 }
 
 void Observer::watch(const Motion& from, const FiniteImpact& impact, std::size_t phase,
@@ -301,7 +301,7 @@ void Observer::record_impact(const Impact& impact) {
 void Observer::finish(const Motion& end) {
   Statistics& s = recorder_->statistics();
   for (std::size_t k = 0; k < touches_.size(); ++k) {
-    if (touches_[k].open) release(end, {k, contact_point(*model_, end.q(), end.v(), k)});
+    if (touches_[k].active) release(end, {k, contact_point(*model_, end.q(), end.v(), k)});
   }
   for (std::size_t k = 0; k < of_contacts_.size(); ++k) {
     ContactStatistics& own = of_contacts_[k];

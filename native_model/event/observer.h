@@ -27,8 +27,8 @@ class Observer {
   // The state at a time within a step, and at the present time. Valid until the next call.
   Snapshot within(const Motion& from, SmoothStep& step, Constraint& constraint, double t);
   Snapshot snapshot(double t, const double* y);
-  // N s, normal impulse of a contact up to this snapshot, including its impacts. `at` must come
-  // from within() or snapshot(), because the integrals are read behind its q and v.
+  // N s, normal impulse of a contact up to this snapshot of within() or snapshot(), including its
+  // impacts.
   double normal_impulse(const Snapshot& at, std::size_t contact) const;
   // Call them when the force of a compliant contact begins and when it ends. The time between is
   // recorded as one impact.
@@ -68,7 +68,7 @@ class Observer {
   std::vector<ContactStatistics> of_contacts_;
   // For each compliant contact that has a force.
   struct Touch {
-    bool open = false;
+    bool active = false;
     Impact impact{};
     double normal = 0.0, friction = 0.0, work = 0.0;  // integrals at its start
   };

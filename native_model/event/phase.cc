@@ -111,7 +111,7 @@ void Phase::set_margins(const ClosedContact& c, double normal, double friction) 
                                : contact.friction.sticking() * normal - std::abs(friction)};
   // Without friction the direction of sliding does not matter.
   if (contact.friction.is_frictionless() && (slides || contact.is_compliant()))
-    at.margins.cone = kInfinity;
+    at.margins.tangential = kInfinity;
   if (!contact.is_compliant()) return;
   at.margins.force = contact.compliance.margin(-c.point.gap, -c.point.gap_rate,
                                                at.state.hunt_crossley, contact.clearance);
@@ -215,7 +215,7 @@ void Phase::find_closed(const double* q, const double* v) {
 void Phase::integrate(const ClosedContact& c, double* integrals) const {
   const Model& m = *model_;
   const auto [normal, friction] = at_[c.index].multipliers;
-  const double prescribed = m.layout.spin ? 0.0 : m.auxiliary[c.index].contact->radius * m.speed;
+  const double prescribed = m.auxiliary[c.index].contact->radius * m.prescribed_spin();
   integrals[integral_index(kNormalImpulse, c.index)] = normal;
   integrals[integral_index(kFrictionImpulse, c.index)] = friction;
   integrals[integral_index(kFrictionWork, c.index)] = friction * c.point.slip;

@@ -138,7 +138,8 @@ bool SmoothStep::advance(const Motion& from, double limit) {
     phase_->derivative(before_break(t), y, dy);
     for (std::size_t k = 0; k < lowest_.size(); ++k) {
       const Margins& m = phase_->margins(k);
-      lowest_[k] = {std::min(lowest_[k].force, m.force), std::min(lowest_[k].cone, m.cone)};
+      lowest_[k] = {std::min(lowest_[k].force, m.force),
+                    std::min(lowest_[k].tangential, m.tangential)};
       largest_normal_[k] = std::max(largest_normal_[k], phase_->multipliers(k).normal);
     }
   };

@@ -2,51 +2,37 @@
 // restored.
 
 #include <memory>
-#include <vector>
+#include <tuple>
+#include <utility>
 
 #include "native_model/event/driver.h"
 
 namespace rotorub {
 
-// Copies of the members of the integrator that have the same names.
+template <class Self>
+auto EventIntegrator::moving_members(Self& self) {
+  return std::tie(self.motion_, self.schedule_, self.phase_, self.step_, self.stiffness_,
+                  self.observer_, self.ahead_, self.result_, self.sampled_, self.end_,
+                  self.force_scale_, self.stalled_, self.last_event_, self.switching_work_until_);
+}
+
+namespace {
+
+// The type of the values of a tuple of references.
+template <class... Members>
+std::tuple<Members...> values_of(std::tuple<Members&...>);
+
+}  // namespace
+
 struct EventIntegrator::Moving {
-  Motion motion;
-  Schedule schedule;
-  Phase phase;
-  SmoothStep step;
-  StiffnessWatch stiffness;
-  Observer observer;
-  Ahead ahead;
-  Result result;
-  std::vector<SampledCommand> sampled;
-  double end;
-  std::vector<double> force_scale;
-  int stalled;
-  double last_event, booked;
+  decltype(values_of(moving_members(std::declval<EventIntegrator&>()))) values;
 };
 
 std::shared_ptr<const EventIntegrator::Moving> EventIntegrator::save() const {
-  return std::make_shared<const Moving>(Moving{motion_, schedule_, phase_, step_, stiffness_,
-                                               observer_, ahead_, result_, sampled_, end_,
-                                               force_scale_, stalled_, last_event_, booked_});
+  return std::make_shared<const Moving>(Moving{moving_members(*this)});
 }
 
-void EventIntegrator::restore(const Moving& saved) {
-  motion_ = saved.motion;
-  schedule_ = saved.schedule;
-  phase_ = saved.phase;
-  step_ = saved.step;
-  stiffness_ = saved.stiffness;
-  observer_ = saved.observer;
-  ahead_ = saved.ahead;
-  result_ = saved.result;
-  sampled_ = saved.sampled;
-  end_ = saved.end;
-  force_scale_ = saved.force_scale;
-  stalled_ = saved.stalled;
-  last_event_ = saved.last_event;
-  booked_ = saved.booked;
-}
+void EventIntegrator::restore(const Moving& saved) { moving_members(*this) = saved.values; }
 
 Snapshot EventIntegrator::within(double t) {
   return observer_.within(motion_, step_, constraint_, t);

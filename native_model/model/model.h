@@ -231,7 +231,8 @@ struct Model {
   Eigen::VectorXd drive_shape;  // torsion, mode values at the motor
   double drive_angle = 0.0;     // rad, of the motor at t = 0
 
-  // In the order of the scene. There is at least one; its contact may be absent.
+  // In the order of the scene. There is at least one. If it is the only one, its contact may be
+  // absent; with several auxiliary bearings each has a contact.
   std::vector<AuxiliaryBearing> auxiliary = std::vector<AuxiliaryBearing>(1);
   AuxiliaryBearing& first() { return auxiliary.front(); }
   const AuxiliaryBearing& first() const { return auxiliary.front(); }
@@ -251,6 +252,9 @@ struct Model {
   double drive_torque(double t, double angle, double motor_speed) const {
     return drive->torque(t, angle, motor_speed);
   }
+  // rad/s, spin speed if a motor holds it, which then exchanges work at the contacts too; otherwise
+  // 0.
+  double prescribed_spin() const { return layout.spin ? 0.0 : speed; }
   bool drive_follows() const { return drive && drive->follows(); }  // depends on angle and t
   int nq() const { return layout.nq(); }
   // The memory of the samplers occupies the coordinates from this one up to the coils.

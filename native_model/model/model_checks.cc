@@ -241,6 +241,15 @@ void refuse_compliance(const scene::Scene& scene, scene::Integrator integrator) 
   }
 }
 
+void refuse_lag_with_several(const scene::Scene& scene, const Model& model) {
+  for (std::size_t k = 0; model.auxiliary.size() > 1 && k < model.auxiliary.size(); ++k) {
+    if (model.auxiliary[k].coil == kAbsent) continue;
+    scene::refuse_at(scene, k, "actuator.coil_lag",
+                     "with several contacts a coil_lag needs the integrator event; set 0 for "
+                     "another integrator");
+  }
+}
+
 void refuse_compliance_in_mujoco(const scene::Scene& scene) {
   if (!scene.is_compliant()) return;
   const scene::ContactModel model = scene.mujoco.contact;

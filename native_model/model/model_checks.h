@@ -38,6 +38,8 @@ enum class FiniteImpacts { kNone, kUnsampled };
 void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted);
 // `euler` supports only rigid contacts.
 void refuse_compliance(const scene::Scene& scene, scene::Integrator integrator);
+// `verlet` and `euler` support currents that lag (coil_lag) only with a single contact.
+void refuse_lag_with_several(const scene::Scene& scene, const Model& model);
 // In MuJoCo, `coulomb` and `cone-coulomb` support compliant contacts if all contacts are compliant.
 // (MuJoCo's own cone is lifted by the slip so far that a soft contact stays open.)
 void refuse_compliance_in_mujoco(const scene::Scene& scene);

@@ -25,9 +25,9 @@ constexpr double kOfLastStep = 0.999;  // length of the last step / distance to 
 // At this share of the first step beyond a point, the events of the motion there are examined.
 constexpr double kBeyond = 0.05;
 
-// A multiplier counts as outside the unit circle only beyond 1 + kOnCircle, because the multipliers
-// of undamped motions lie on it.
-constexpr double kOnCircle = 1e-7;
+// A multiplier counts as outside the unit circle only beyond 1 + kUnitCircle, because the
+// multipliers of undamped motions lie on it.
+constexpr double kUnitCircle = 1e-7;
 
 using Complex = std::complex<double>;
 
@@ -41,7 +41,7 @@ bool is_of(PointKind kind, const Complex& m) {
 // The number of multipliers of a kind outside the unit circle.
 int unstable(PointKind kind, const CorrectedPoint& at) {
   return static_cast<int>(std::ranges::count_if(at.point.motion.multipliers, [&](const Complex& m) {
-    return is_of(kind, m) && std::abs(m) > 1.0 + kOnCircle;
+    return is_of(kind, m) && std::abs(m) > 1.0 + kUnitCircle;
   }));
 }
 

@@ -15,9 +15,6 @@ namespace rotorub::periodic {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-// A return to the start of the model is searched for within this number of turns at its whirl
-// speed.
-constexpr double kTurnsWatched = 3.0;
 // Distances of returns to the state, relative to its sizes.
 constexpr double kAboutAsClose = 3.0, kClose = 2e-3;
 constexpr int kHalvings = 40;
@@ -41,16 +38,6 @@ Arrival advance(const Model& m, const State& start, double end, const EventParam
   at.state.q = Eigen::Map<const Eigen::VectorXd>(now.q, m.nq());
   at.state.v = Eigen::Map<const Eigen::VectorXd>(now.v, m.nq());
   return at;
-}
-
-// rad/s, the largest whirl speed of the relative centres at a state.
-double whirl_speed(const Model& m, const State& at) {
-  double largest = 0.0;
-  for (std::size_t k = 0; k < m.auxiliary.size(); ++k) {
-    const ContactPoint p = contact_point(m, at.q.data(), at.v.data(), k);
-    if (p.has_normal) largest = std::max(largest, std::abs(p.whirl_speed()) / p.delta);
-  }
-  return largest;
 }
 
 // s, the time after which a motion returns closest to its state at `at`, within `longest` (s). A
@@ -171,27 +158,6 @@ FoundGuess guess_of(const Model& m, Guess guess, double longest, int periods,
 
 }  // namespace
 
-FoundGuess guess_at_start(const Model& m, int periods, const EventParameters& parameters) {
-  FoundGuess found;
-  const MotionRecord begun =
-      record_motion(m, initial_state(m), initial_state(m).t + 1e-9, parameters);
-  if (begun.status != Status::kOk) return failed(begun.status, begun.message);
-  found.guess.start = initial_state(m);
-  for (std::size_t k = 0; k < begun.first.size(); ++k) {
-    if (begun.first[k].mode == Mode::kFree || m.auxiliary[k].is_compliant()) continue;
-    found.guess.held.push_back({k, velocity_of(begun.first[k].mode)});
-  }
-  const double pace = whirl_speed(m, found.guess.start);
-  const double turn = pace > 0.0 ? kTurn / pace : 0.0;
-  find_period(m, periods, kTurnsWatched * turn, parameters, found.guess);
-  const bool whirls = forcing_of(m).period == 0.0 && found.guess.turns == 0;
-  if (whirls && !found.guess.held.empty()) found.guess.period = periods * turn;
-  if (!(found.guess.period > 0.0) || !std::isfinite(found.guess.period)) {
-    return failed(Status::kNoSolution, "the start does not whirl, so its period is unknown");
-  }
-  return found;
-}
-
 FoundGuess guess_from_state(const Model& m, const State& state, double longest, int periods,
                             const EventParameters& parameters) {
   return guess_of(m, Guess{.start = state, .held = {}}, longest, periods, parameters);
@@ -213,16 +179,6 @@ FoundGuess at_best_instant(const Model& m, const Guess& guess, const EventParame
   found.guess.start = at.state;
   found.guess.held = at.held;
   return found;
-}
-
-FoundGuess guess_from_run(const Model& m, double duration, int periods,
-                          const EventParameters& parameters) {
-  const Forcing forcing = forcing_of(m);
-  double end = forcing.settled + duration;
-  if (forcing.period > 0.0) end = std::ceil(end / forcing.period) * forcing.period;
-  const Arrival at = advance(m, initial_state(m), end, parameters);
-  if (at.status != Status::kOk) return failed(at.status, at.message);
-  return guess_from_state(m, at.state, duration, periods, parameters);
 }
 
 }  // namespace rotorub::periodic

@@ -1,8 +1,7 @@
-// Starts for the search of periodic motions: the start of the model (on an orbit or a rub, where
-// `prepare` made it so), or where a run settles. The start of a period may be any instant. The best
-// ones lie in the middle of the longest flight of all contacts, because a contact that is closed at
-// the start must be so in every iterate. In an autonomous system the period is the time after which
-// the motion returns; for a whip in contact it is the period of its whirl.
+// Starts for the search of periodic motions, from a state of a settled motion. The start of a
+// period may be any instant. The best ones lie in the middle of the longest flight of all contacts,
+// because a contact that is closed at the start must be so in every iterate. In an autonomous
+// system the period is the time after which the motion returns.
 #pragma once
 
 #include <string>
@@ -17,18 +16,9 @@ struct FoundGuess {
   Guess guess;
 };
 
-// From the model's start. periods: n of the loads, or turns of the spin, or whirls, in one period
-// of the motion.
-FoundGuess guess_at_start(const Model& model, int periods = 1,
-                          const EventParameters& parameters = {});
-
-// From a run that lasts `duration` (s) after the last load is switched. In an autonomous system the
-// run then continues for the same time, and the period is the time after which it returns.
-FoundGuess guess_from_run(const Model& model, double duration, int periods = 1,
-                          const EventParameters& parameters = {});
-
 // From a state of a settled motion, at the time of that state, which must be at least
-// Forcing::settled. longest: s, > 0, for which an autonomous motion is watched for its return.
+// Forcing::settled. periods: n of the loads, or turns of the spin, or whirls, in one period of the
+// motion. longest: s, > 0, for which an autonomous motion is watched for its return.
 FoundGuess guess_from_state(const Model& model, const State& state, double longest, int periods = 1,
                             const EventParameters& parameters = {});
 

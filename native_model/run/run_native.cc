@@ -7,7 +7,7 @@
 #include "native_model/model/model_checks.h"
 #include "native_model/prepare/prepare.h"
 #include "native_model/run/fixed_run.h"
-#include "native_model/scene/record.h"
+#include "native_model/scene/scene.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub {
@@ -56,12 +56,7 @@ Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {
   refuse_compliance(scene, integrator);
   refuse_finite_impacts(scene, integrator == scene::Integrator::kVerlet ? FiniteImpacts::kUnsampled
                                                                         : FiniteImpacts::kNone);
-  for (std::size_t k = 0; model.auxiliary.size() > 1 && k < model.auxiliary.size(); ++k) {
-    if (model.auxiliary[k].coil == kAbsent) continue;
-    scene::refuse_at(scene, k, "actuator.coil_lag",
-                     "with several contacts a coil_lag needs the integrator event; set 0 for "
-                     "another integrator");
-  }
+  refuse_lag_with_several(scene, model);
   return run_fixed(integrator, model, scene.run, step, options);
 }
 

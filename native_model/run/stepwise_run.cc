@@ -78,13 +78,13 @@ Model StepwiseRun::with_inputs(const scene::Scene& scene) {
     commands_.emplace_back(k, std::move(record));
     const std::string asked = column_of_contact(k, "command");
     if (!at.magnets) {
-      add_vector(asked, "N", "force of the actuator on the ring, fixed frame, asked for");
+      add_vector(asked, "N", "commanded force of the actuator on the ring, in the fixed frame,");
       continue;
     }
     for (const char* axis : {"1", "2"})
       inputs_.push_back(
           {asked + "_" + axis, "A",
-           std::string("current of the actuator's axis ") + axis + " beyond the bias, asked for"});
+           std::string("commanded current of the actuator's axis ") + axis + ", without the bias"});
   }
   for (SampledFeedback& sampler : model.samplers) {
     if (!sampler.library) continue;
@@ -93,7 +93,7 @@ Model StepwiseRun::with_inputs(const scene::Scene& scene) {
     currents_.push_back(std::move(told));
     for (const std::size_t k : sampler.bearings)
       add_vector(of_bearing(model.feedbacks[k], "command"), "A",
-                 "control current of the magnetic bearing, asked for at its next sample,");
+                 "control current of the magnetic bearing, commanded for its next sample,");
   }
   first_load_ = model.forces.size();
   for (std::size_t k = 0; k < model.auxiliary.size(); ++k) {
@@ -119,7 +119,7 @@ void StepwiseRun::find_outputs() {
     const bool mode = means.name == "mode";
     outputs_.push_back(
         {column.name, column.unit,
-         mode ? "of the contact: 0 free, 1 slide, 2 stick" : std::string(means.meaning), mode,
+         mode ? "state of the contact: 0 free, 1 slide, 2 stick" : std::string(means.meaning), mode,
          is_modal(means)});
   }
   for (const StationFeedback& bearing : model_.feedbacks) {
@@ -131,7 +131,7 @@ void StepwiseRun::find_outputs() {
   for (std::size_t k = 0; k < model_.auxiliary.size(); ++k) {
     if (model_.auxiliary[k].contact)
       outputs_.push_back({column_of_contact(k, "normal_impulse"), "N s",
-                          "on the rotor so far, of lasting contact and impacts"});
+                          "normal impulse on the rotor so far, from lasting contact and impacts"});
   }
   outputs_.push_back({"impacts", "", "number of impacts so far, as the summary counts them", true});
 }

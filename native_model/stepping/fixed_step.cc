@@ -4,12 +4,6 @@
 #include "native_model/model/dynamics.h"
 
 namespace rotorub {
-namespace {
-
-// rad/s, spin speed if a motor holds it, which then exchanges work too; otherwise 0.
-double prescribed_spin(const Model& m) { return m.layout.spin ? 0.0 : m.speed; }
-
-}  // namespace
 
 Impact impact_of(double t, const Eigen::Vector2d& impulses, const Eigen::Vector2d& before,
                  const Eigen::Vector2d& after, std::size_t contact) {
@@ -23,7 +17,7 @@ double impact_work(const Model& m, std::span<const Impact> impacts) {
   double work = 0.0;
   for (const Impact& hit : impacts) {
     const double radius = m.auxiliary[static_cast<std::size_t>(hit.contact)].contact->radius;
-    work += hit.energy_change - hit.friction_impulse * (radius * prescribed_spin(m));
+    work += hit.energy_change - hit.friction_impulse * (radius * m.prescribed_spin());
   }
   return work;
 }
@@ -33,15 +27,7 @@ double lasting_work(const Model& m, std::size_t contact, const Eigen::Vector2d& 
   if (!(impulses.x() > 0.0)) return 0.0;
   const Eigen::Vector3d load =
       contact_load(e_r, m.auxiliary[contact].contact->radius, impulses.x(), impulses.y());
-  return load.dot(mean_rates - Eigen::Vector3d(0.0, 0.0, prescribed_spin(m)));
-}
-
-bool rests_on_circle(const Model& m, const double* q, const double* v, std::size_t contact) {
-  constexpr double kOnCircle = 1e-12;  // of the clearance
-  constexpr double kNoGapRate = 1e-9;  // m/s
-  const ContactPoint p = contact_point(m, q, v, contact);
-  return p.gap <= kOnCircle * m.auxiliary[contact].contact->clearance &&
-         std::abs(p.gap_rate) <= kNoGapRate;
+  return load.dot(mean_rates - Eigen::Vector3d(0.0, 0.0, m.prescribed_spin()));
 }
 
 }  // namespace rotorub

@@ -59,7 +59,4 @@ double impact_work(const Model& m, std::span<const Impact> impacts);
 double lasting_work(const Model& m, std::size_t contact, const Eigen::Vector2d& e_r,
                     const Eigen::Vector2d& impulses, const Eigen::Vector3d& mean_rates);
 
-// True if the contact is closed and its gap does not change: it is then a lasting contact.
-bool rests_on_circle(const Model& m, const double* q, const double* v, std::size_t contact);
-
 }  // namespace rotorub

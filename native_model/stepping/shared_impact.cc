@@ -9,9 +9,6 @@ namespace rotorub {
 namespace {
 
 constexpr double kStands = 1e-12;  // relative to the approach; slower contacts are at rest
-// m/s; after an impact without restitution the gap closes by round-off, which is not a second
-// impact.
-constexpr double kLeastRate = 1e-9;
 
 Eigen::Index row(std::size_t i) { return static_cast<Eigen::Index>(2 * i); }
 
@@ -83,8 +80,10 @@ Status SharedImpact::solve(const StepState& state, double t, double mass_time, c
     add_contact_load(state.model, contact_load(members_[i].point.e_r, radius, p.x(), p.y()),
                      impulses, contact);
     if (!(p.x() > 0.0)) continue;
+    // After an impact without restitution the gap closes by round-off, which is not a second
+    // impact.
     contacts_->add_impact(impact_of(t, p, before.segment<2>(row(i)), to, contact),
-                          approach_ > kLeastRate);
+                          approach_ > kNoGapRate);
   }
   return Status::kOk;
 }

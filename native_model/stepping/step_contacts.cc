@@ -60,11 +60,11 @@ void StepContacts::restart(const StepState& state) {
   states = {};
   for (std::size_t i = 0; i < count(); ++i) {
     if (!m_.auxiliary[i].contact) continue;
+    const ContactPoint p = contact_point(m_, state.q.data(), state.v.data(), i);
     if (contacts_[i].rigid) {
-      states[i].closed = rests_on_circle(m_, state.q.data(), state.v.data(), i);
+      states[i].closed = rests_on_circle(p.gap, p.gap_rate, parameters(i).clearance);
       continue;
     }
-    const ContactPoint p = contact_point(m_, state.q.data(), state.v.data(), i);
     states[i].closed = CompliantLaw::begins_closed(p.gap, p.gap_rate, parameters(i).clearance);
     states[i].hunt_crossley = parameters(i).compliance.a_of_start();
   }

@@ -15,7 +15,6 @@ namespace {
 // Fraction of a step; jumps of loads or commands closer to its ends differ from them only by
 // round-off.
 constexpr double kLeastPart = 1e-9;
-constexpr double kOnCircle = 1e-12;  // of the clearance; smaller gaps count as closed
 
 bool impacts_take_time(const Model& m) {
   return m.auxiliary.size() == 1 && m.first().contact && m.first().contact->impact_time() > 0.0;

@@ -19,7 +19,7 @@ constexpr std::string_view kActuated = "a commanded actuator, or magnets",
                            kSeveralContacts = "several contacts";
 
 const ColumnMeaning kSeries[] = {
-    {"t", "s", "time, exactly as asked for", ""},
+    {"t", "s", "time of the row, exactly as requested", ""},
     {"rotor_x", "m", "rotor's centre at the contact; 0: middle of the bearing", ""},
     {"rotor_y", "m", "rotor's centre at the contact; 0: middle of the bearing", ""},
     {"rotor_vx", "m/s", "velocity of the rotor's centre; at an impact, after it", ""},

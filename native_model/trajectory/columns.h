@@ -53,6 +53,9 @@ struct Snapshot : ContactSnapshot {
   const double* q = nullptr;
   const double* v = nullptr;
   std::span<const ContactSnapshot> others{};  // of the further contacts, in their order
+  // The integrals of an event-driven run (integral_index() in native_model/event/phase.h), valid as
+  // long as q and v; null for a fixed-step run.
+  const double* integrals = nullptr;
   const ContactSnapshot& at(std::size_t contact) const {
     return contact == 0 ? *this : others[contact - 1];
   }

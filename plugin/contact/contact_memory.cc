@@ -1,19 +1,20 @@
 #include "plugin/contact/contact_memory.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
-#include "native_model/contact/most_contacts.h"
 #include "native_model/scene/mujoco.h"
 #include "plugin/contact/relative_motion.h"
+#include "plugin/model/thread_memory.h"
 
 namespace rotorub::plugin {
 namespace {
 
-NotedContact& noted(int data) {
-  static thread_local std::array<NotedContact, kMaxContacts> all;
-  return all[static_cast<std::size_t>(data / kEntries<ContactEntries>) % all.size()];
+// The results of the thread's contacts, by mjData and place in userdata.
+auto& noted_contacts() {
+  static thread_local InTurns<std::pair<const mjData*, int>, NotedContact> all;
+  return all;
 }
 
 // The forces that the plugin computed itself.
@@ -27,7 +28,7 @@ ContactForces recorded_forces(const ContactEntries& entry) {
 
 ContactForces rigid_forces(const ContactEntries& entry) {
   ContactForces out = recorded_forces(entry);
-  out.status = EscapeGuard::status_in(entry.status);
+  out.status = ContactStatus::status_in(entry.status);
   out.impact = entry.impact != 0.0;
   if (!out.impact) return out;
   out.impact_time = entry.impact_time;
@@ -54,11 +55,10 @@ constexpr double kUnknown = 0.0, kInWall = 1.0, kOpen = 2.0;
 bool is_written(const ContactPair& pair, const ContactPoint& point, const mjModel* m,
                 const mjData* d) {
   constexpr double kMoved = 0.01;  // share of the clearance, beyond the motion by the speed
-  const auto& entry = entries<CompliantEntries>(d, pair.data);
+  const auto& entry = entries<CompliantEntries>(d, pair.userdata);
   if (entry.touches == kUnknown) return true;
   const double h = m->opt.timestep, passed = std::abs(d->time - entry.time);
-  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(d->time);
-  if (passed > (1.0 + 1e-6) * h + rounding) return true;
+  if (passed > h + time_tolerance(h, d->time)) return true;
   const double speed = std::hypot(point.gap_rate, point.whirl_speed());
   return std::abs(point.gap - entry.gap) > 2.0 * h * speed + kMoved * pair.contact.clearance;
 }
@@ -79,10 +79,25 @@ ContactForces cone_forces(const mjModel* m, const mjData* d, const mjContact& co
 
 }  // namespace
 
-const NotedContact& noted_contact(int data) { return noted(data); }
+const NotedContact* noted_contact(const mjData* d, int userdata) {
+  return noted_contacts().find({d, userdata});
+}
 
-void note_contact(const mjData* d, int data, const Eigen::Vector2d& e_r, double axial) {
-  noted(data) = {d, d->time, data, e_r, axial};
+void note_contact(const mjData* d, int userdata, const Eigen::Vector2d& e_r, double axial) {
+  const NotedContact now{d->time, e_r, axial};
+  auto& all = noted_contacts();
+  if (NotedContact* there = all.find({d, userdata})) {
+    *there = now;
+  } else {
+    all.add({d, userdata}, now);
+  }
+}
+
+void watch_escape(const ContactPair& pair, mjData* d, double delta) {
+  if (pair.contact.impact_time() > 0.0) return;  // such an impact penetrates the ring
+  const double clearance = pair.contact.clearance;
+  ContactStatus(contact_entries(pair, d).status)
+      .watch_escape(clearance - delta, clearance, d->time);
 }
 
 const mjContact* find_contact(const ContactPair& pair, const mjData* d) {
@@ -111,13 +126,13 @@ ContactForces contact_forces(const ContactPair& pair, const mjModel* m, const mj
 double compliant_force(const ContactPair& pair, const ContactPoint& point, const mjModel* m,
                        mjData* d) {
   const CompliantLaw& law = pair.contact.compliance;
-  auto& entry = entries<CompliantEntries>(d, pair.data);
+  auto& entry = entries<CompliantEntries>(d, pair.userdata);
   const double clearance = pair.contact.clearance;
   if (is_written(pair, point, m, d)) {
     const bool closed = CompliantLaw::begins_closed(point.gap, point.gap_rate, clearance);
     entry.touches = closed ? kInWall : kOpen;
     entry.damping = law.a_of_start();
-  } else if (point.gap > CompliantLaw::kOnCircle * clearance) {
+  } else if (!is_on_circle(point.gap, clearance)) {
     entry.touches = kOpen;
   } else if (point.gap < 0.0 && entry.touches == kOpen) {
     entry.touches = kInWall;
@@ -130,10 +145,10 @@ double compliant_force(const ContactPair& pair, const ContactPoint& point, const
 }
 
 void pass_without_contact(const ContactPair& pair, const mjModel* m, mjData* d) {
-  auto& entry = entries<CompliantEntries>(d, pair.data);
+  auto& entry = entries<CompliantEntries>(d, pair.userdata);
   const double clearance = pair.contact.clearance,
                gap = clearance - contact_place(pair, d).d.norm();
-  if (std::abs(gap) <= CompliantLaw::kOnCircle * clearance) {
+  if (std::abs(gap) <= kOnCircle * clearance) {
     compliant_force(pair, contact_point_of(pair, m, d), m, d);
     return;
   }

@@ -4,87 +4,43 @@
 
 #include <mujoco/mujoco.h>
 
-#include <cmath>
-#include <limits>
-
 #include "native_model/contact/kinematics.h"
 #include "native_model/trajectory/trajectory.h"
+#include "plugin/contact/contact_status.h"
 #include "plugin/contact/rigid_step.h"
 #include "plugin/model/config.h"
-#include "plugin/model/message.h"
-#include "plugin/model/mujoco_versions.h"
 #include "plugin/model/user_data.h"
 
 namespace rotorub::plugin {
 
-// With `rigid` a rotor that was within its clearance does not penetrate the wall by more than
-// kDeep. If one does, the step is too long for its motion, or something that the contact does not
-// see moves rotor or ring. The user is warned once, and `rotorub_active` is 0 meanwhile. The guard
-// keeps its bits with the Status of the contact laws, in ContactEntries::status.
-class EscapeGuard {
- public:
-  explicit EscapeGuard(mjtNum& status) : state_(&status) {}  // ContactEntries::status
-
-  // The Status in that number.
-  static Status status_in(double number) {
-    return static_cast<Status>(static_cast<int>(number) % kWasInside);
-  }
-  Status status() const { return status_in(*state_); }
-  void set_status(Status status) { set(bits() - bits() % kWasInside + static_cast<int>(status)); }
-  // Sets the Status of this step. Warns once and not in every step, because MuJoCo writes its
-  // warnings to a file.
-  void record(Status now) {
-    if (now != Status::kOk && status() == Status::kOk) {
-      warn("rotorub: the contact laws have no solution or several (Painleve): no impulse");
-    }
-    set_status(now);
-  }
-  bool is_outside() const { return (bits() & kIsOutside) != 0; }
-
-  // Call it if the state was written or is the first one: the rotor may then be anywhere.
-  void begin() { set(bits() & ~(kWasInside | kIsOutside)); }
-  // Call it in every pass. gap, clearance: m, time: s.
-  void watch(double gap, double clearance, double time) {
-    constexpr double kDeep = 0.01;  // share of the clearance
-    const bool inside = gap >= -kDeep * clearance;
-    const bool escaped = !inside && (bits() & kWasInside);
-    set((bits() & ~kIsOutside) | (inside ? kWasInside : 0) | (escaped ? kIsOutside : 0));
-    if (!escaped || (bits() & kWasTold)) return;
-    const auto micrometres = [](double metres) { return std::round(1e7 * metres) / 10.0; };
-    set(bits() | kWasTold);
-    warn(
-        message("rotorub: the rotor is {} um deep in its ring (clearance {} um) at t = {} s; use a "
-                "shorter step, or check for forces that move rotor or ring apart from the "
-                "contact; rotorub_active is 0 while that lasts",
-                micrometres(-gap), micrometres(clearance), time)
-            .c_str());
-  }
-
- private:
-  enum { kWasInside = 16, kIsOutside = 32, kWasTold = 64 };
-  int bits() const { return static_cast<int>(*state_); }
-  void set(int bits) { *state_ = bits; }
-
-  mjtNum* state_;
-};
-
-// Further results of a contact in the last pass of this thread, for load_cells.h.
+// Further results of a contact in a pass of this thread, for load_cells.h.
 struct NotedContact {
-  const mjData* d = nullptr;
-  double time = 0.0;
-  int data = -1;
-  Eigen::Vector2d e_r;
-  double axial = 0.0;  // N, friction on the rotor along the ring's axis
+  double time = 0.0;    // s, of the pass
+  Eigen::Vector2d e_r;  // normal of the force, in the contact's axes
+  double axial = 0.0;   // N, friction on the rotor along the ring's axis
 };
 
-// The results in the last pass of this thread, for the contact whose entries begin at `data`.
-const NotedContact& noted_contact(int data);
+// The results that this thread noted last for the contact whose entries begin at `userdata`; null
+// if there are none.
+const NotedContact* noted_contact(const mjData* d, int userdata);
 
-// Records the results of the contact whose entries begin at `data`: the normal of its force in this
-// pass, in the contact's axes, and the friction on the rotor along the ring's axis, N. The normal
-// of an impact within the step differs from the normal in the present state. Called for `rigid`
-// with a force, and for contacts with friction along the axis.
-void note_contact(const mjData* d, int data, const Eigen::Vector2d& e_r, double axial = 0.0);
+// Records the results of the contact whose entries begin at `userdata`: the normal of its force in
+// this pass, and the friction along the axis, N. The normal of an impact within the step differs
+// from the normal in the present state. Called for `rigid` with a force, and for contacts with
+// friction along the axis.
+void note_contact(const mjData* d, int userdata, const Eigen::Vector2d& e_r, double axial = 0.0);
+
+// Watches the gap of a `rigid` contact in this pass (ContactStatus). delta: m, distance of the
+// centres.
+void watch_escape(const ContactPair& pair, mjData* d, double delta);
+
+// Records the mode and the forces of a contact in its entries: N, the normal force and the friction
+// on the rotor along e_t.
+inline void record_forces(ContactEntries& entry, Mode mode, double normal, double friction) {
+  entry.mode = static_cast<double>(mode);
+  entry.normal_force = normal;
+  entry.friction_force = friction;
+}
 
 // The memory of a `rigid` contact in mjData.userdata: whether contact lasts, and the impulses of
 // the step.
@@ -96,47 +52,42 @@ class ContactMemory {
   ContactMemory(mjData* d, const ContactPair& pair, double h)
       : d_(d), pair_(pair), entry_(contact_entries(pair, d)), h_(h) {
     if (entry_.time == d->time) return;
-    const double passed = d->time - entry_.time;
-    const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(d->time);
-    const bool next = std::abs(passed - h) <= 1e-6 * h + rounding;
+    const bool next = is_next_step(d->time - entry_.time, h, d->time);
     entry_.time = d->time;
     entry_.before = next ? entry_.now : 0.0;
-    if (!next) EscapeGuard(entry_.status).begin();
+    if (!next) begin_anew();
   }
 
   // True if contact lasted over the previous step. A lasting contact ends on the circle. If the
   // centres are closer than that (delta, m), the state was written since.
   bool was_in_contact(double delta) const {
-    constexpr double kOnCircle = 0.01;  // gap that a step may leave, as a share of the clearance
-    return was_in_contact() && delta > (1.0 - kOnCircle) * pair_.contact.clearance;
+    constexpr double kMostGapOfStep = 0.01;  // that a step may leave, as a share of the clearance
+    return was_in_contact() && delta > (1.0 - kMostGapOfStep) * pair_.contact.clearance;
   }
   bool was_in_contact() const { return entry_.before != 0.0; }
 
   // Watches the gap in this pass. delta: m, distance of the centres.
-  void watch(double delta) {
-    if (pair_.contact.impact_time() > 0.0) return;  // such an impact penetrates the ring
-    const double clearance = pair_.contact.clearance;
-    EscapeGuard(entry_.status).watch(clearance - delta, clearance, d_->time);
-  }
-  void begin_anew() { EscapeGuard(entry_.status).begin(); }
+  void watch(double delta) { watch_escape(pair_, d_, delta); }
+  void begin_anew() { ContactStatus(entry_.status).begin(); }
 
   // True if the previous step had no solution and the user was warned.
-  bool warned() const { return EscapeGuard(entry_.status).status() != Status::kOk; }
+  bool warned() const { return ContactStatus(entry_.status).status() != Status::kOk; }
 
-  // Records the results. The forces are means over the step.
-  void note(const RigidResult& r) {
-    entry_.now = r.mode == Mode::kFree ? 0.0 : 1.0;  // remember_places() replaces the 1
-    entry_.mode = static_cast<double>(r.mode);
-    entry_.normal_force = r.normal / h_;
-    entry_.friction_force = r.friction / h_;
-    EscapeGuard guard(entry_.status);
+  // Records the results of a step in which the contact is open.
+  void note_open() { note({}, 0.0); }
+  // Records the results. The forces are means over the step. delta: m, distance of the centres in
+  // this pass.
+  void note(const RigidResult& r, double delta) {
+    entry_.now = r.mode == Mode::kFree ? 0.0 : delta;
+    record_forces(entry_, r.mode, r.normal / h_, r.friction / h_);
+    ContactStatus status(entry_.status);
     if (r.converged) {
-      guard.record(r.status);
+      status.record(r.status);
     } else {
-      guard.set_status(r.status);
+      status.set_status(r.status);
     }
     entry_.impact = r.impact ? 1.0 : 0.0;
-    if (r.normal > 0.0) note_contact(d_, pair_.data, r.e_r);
+    if (r.normal > 0.0) note_contact(d_, pair_.userdata, r.e_r);
     if (!r.impact) return;
     entry_.gap_rate_before = r.gap_rate_before;
     entry_.gap_rate_after = r.gap_rate_after;
@@ -145,7 +96,7 @@ class ContactMemory {
   }
 
  private:
-  const mjData* d_;
+  mjData* d_;
   const ContactPair& pair_;
   ContactEntries& entry_;
   double h_;  // s

@@ -98,8 +98,8 @@ void ChainSpace::add_load(const Eigen::Vector3d& load, mjtNum* to) const {
   }
 }
 
-void ChainSpace::add_side(const Eigen::Vector3d& normal, const Eigen::Vector3d& friction,
-                          mjtNum* to) const {
+void ChainSpace::add_remainder(const Eigen::Vector3d& normal, const Eigen::Vector3d& friction,
+                               mjtNum* to) const {
   if (!config_.model.coupled_mass()) return add_load(friction, to);
   const Eigen::Vector3d whole = normal + friction;
   for (int i = 0; i < config_.model.nq(); ++i) {
@@ -111,12 +111,12 @@ void ChainSpace::add_side(const Eigen::Vector3d& normal, const Eigen::Vector3d& 
   }
 }
 
-void ChainSpace::add_side_acceleration(const Eigen::Vector3d& normal,
-                                       const Eigen::Vector3d& friction, mjtNum* to) const {
+void ChainSpace::add_remainder_acceleration(const Eigen::Vector3d& normal,
+                                            const Eigen::Vector3d& friction, mjtNum* to) const {
   StackFrame room(d_);
   mjtNum* load = room.numbers(nv_);
   std::fill_n(load, nv_, 0.0);
-  add_side(normal, friction, load);
+  add_remainder(normal, friction, load);
   for (int i = 0; i < config_.model.nq(); ++i) {
     const int dof = config_.dof_address[static_cast<std::size_t>(i)];
     to[dof] += load[dof] / config_.model.mass[i];
@@ -154,7 +154,8 @@ ContactMatrix contact_matrix(std::span<const ContactRows* const> contacts, Eigen
     const ContactSpace* answers = at_axis ? at.axial : at.plane;
     const ContactSpace* loaded = from_axis ? from.axial : from.plane;
     if (!answers || !loaded) return;
-    const Eigen::Matrix3d g = impact ? answers->admittance(*loaded) : answers->flexibility(*loaded);
+    const Eigen::Matrix3d g =
+        impact ? answers->admittance(*loaded) : answers->step_admittance(*loaded);
     const Eigen::Index first = at_axis ? 2 : 0, other = from_axis ? 2 : 0;
     const Eigen::Index row = rows * static_cast<Eigen::Index>(i),
                        column = rows * static_cast<Eigen::Index>(j);

@@ -29,13 +29,13 @@ class ContactSpace {
   Eigen::Vector3d rates(const mjtNum* v) const { return product(jacobian_, v); }  // J v
   // J H^-1 f
   virtual Eigen::Vector3d response(const mjtNum* f) const { return product(damped_, f); }
-  Eigen::Matrix3d flexibility() const { return gram(damped_); }  // J H^-1 J^T
-  Eigen::Matrix3d admittance() const { return gram(plain()); }   // J M^-1 J^T
-  bool damped() const { return damped_ != plain_; }              // true if H differs from M
+  Eigen::Matrix3d step_admittance() const { return gram(damped_); }  // J H^-1 J^T
+  Eigen::Matrix3d admittance() const { return gram(plain()); }       // J M^-1 J^T
+  bool damped() const { return damped_ != plain_; }                  // true if H differs from M
   const mjtNum* acceleration_row(int k) const { return plain() + k * nv_; }  // row k of J M^-1
 
   // J H^-1 J_other^T and J M^-1 J_other^T: the effect of another contact's load on this one.
-  Eigen::Matrix3d flexibility(const ContactSpace& other) const { return gram(damped_, other); }
+  Eigen::Matrix3d step_admittance(const ContactSpace& other) const { return gram(damped_, other); }
   Eigen::Matrix3d admittance(const ContactSpace& other) const { return gram(plain(), other); }
 
   // to += J^T load, where load is (x, y, torque) on the rotor.
@@ -45,14 +45,14 @@ class ContactSpace {
   // The accelerations without the contact, J M^-1 f with f = qfrc_smooth.
   Eigen::Vector3d smooth() const { return product(plain(), d_->qfrc_smooth); }
   // MuJoCo's solver supplies the normal force of a soft contact. These functions add the remainder
-  // of the load normal + friction: add_side() adds the generalised force, by default J^T friction,
-  // and add_side_acceleration() the acceleration that it causes.
-  virtual void add_side(const Eigen::Vector3d& /*normal*/, const Eigen::Vector3d& friction,
-                        mjtNum* to) const {
+  // of the load normal + friction: add_remainder() adds the generalised force, by default J^T
+  // friction, and add_remainder_acceleration() the acceleration that it causes.
+  virtual void add_remainder(const Eigen::Vector3d& /*normal*/, const Eigen::Vector3d& friction,
+                             mjtNum* to) const {
     add_load(friction, to);
   }
-  virtual void add_side_acceleration(const Eigen::Vector3d& /*normal*/,
-                                     const Eigen::Vector3d& friction, mjtNum* to) const {
+  virtual void add_remainder_acceleration(const Eigen::Vector3d& /*normal*/,
+                                          const Eigen::Vector3d& friction, mjtNum* to) const {
     add_acceleration(friction, to);
   }
   // to += M^-1 J^T load.
@@ -168,10 +168,10 @@ class ChainSpace final : public ContactSpace {
   // For MuJoCo's forces, which already contain the factor H0 (M(phi) + h D)^-1 (add_passive_force).
   Eigen::Vector3d response(const mjtNum* f) const override;
   void add_load(const Eigen::Vector3d& load, mjtNum* to) const override;
-  void add_side(const Eigen::Vector3d& normal, const Eigen::Vector3d& friction,
-                mjtNum* to) const override;
-  void add_side_acceleration(const Eigen::Vector3d& normal, const Eigen::Vector3d& friction,
-                             mjtNum* to) const override;
+  void add_remainder(const Eigen::Vector3d& normal, const Eigen::Vector3d& friction,
+                     mjtNum* to) const override;
+  void add_remainder_acceleration(const Eigen::Vector3d& normal, const Eigen::Vector3d& friction,
+                                  mjtNum* to) const override;
 
  private:
   const Config& config_;

@@ -42,19 +42,19 @@ struct CoulombContact : ContactRows {
   Eigen::Vector3d normal() const { return contact_load(e_r, radius, force.x(), 0.0); }
   Eigen::Vector3d friction() const { return contact_load(e_r, radius, 0.0, force.y()); }
   // Adds the part of the force that MuJoCo's solver does not find.
-  void add_side(mjtNum* to) const {
+  void add_remainder(mjtNum* to) const {
     if (row == kNoRow) return plane->add_load(normal() + friction(), to);
-    plane->add_side(normal(), friction(), to);
+    plane->add_remainder(normal(), friction(), to);
     if (axial && force.z() != 0.0) axial->add_load(force.z() * column(2), to);
   }
   // Adds the accelerations by the whole force.
   void add_acceleration(mjtNum* to) const {
     if (row == kNoRow) {
       const Eigen::Vector3d none(0.0, 0.0, 0.0);
-      return plane->add_side_acceleration(none, normal() + friction(), to);
+      return plane->add_remainder_acceleration(none, normal() + friction(), to);
     }
     plane->add_acceleration(normal(), to);
-    plane->add_side_acceleration(normal(), friction(), to);
+    plane->add_remainder_acceleration(normal(), friction(), to);
     if (axial && force.z() != 0.0) axial->add_acceleration(force.z() * column(2), to);
   }
 };
@@ -211,12 +211,12 @@ class ForceResponse final : public ContactResponse {
 // Warns once and not in every step.
 void note_status(const ClosedContacts& closed, bool converged, const mjModel* m, mjData* d) {
   const auto warned = [d](const CoulombContact* s) {
-    return EscapeGuard(s->entries(d).status).status() != Status::kOk;
+    return ContactStatus(s->entries(d).status).status() != Status::kOk;
   };
   const bool known = std::any_of(closed.at.begin(), closed.at.end(), warned);
   if (!converged && !known) warn_unsolved(m, d, *closed.at[0]->plane);
   for (const CoulombContact* s : closed.at) {
-    EscapeGuard(s->entries(d).status).set_status(converged ? Status::kOk : Status::kNoSolution);
+    ContactStatus(s->entries(d).status).set_status(converged ? Status::kOk : Status::kNoSolution);
   }
 }
 
@@ -295,10 +295,8 @@ bool is_detected(const ContactPair& pair, const ContactPlace& place, const mjMod
 
 void note(const CoulombContact& s, mjData* d) {
   ContactEntries& entry = s.entries(d);
-  entry.normal_force = s.force.x();
-  entry.friction_force = s.force.y();
-  entry.mode = static_cast<double>(mode_of(s.force.x(), s.sticks));
-  if (s.axial) note_contact(d, s.pair->data, s.e_r, s.force.z());
+  record_forces(entry, mode_of(s.force.x(), s.sticks), s.force.x(), s.force.y());
+  if (s.axial) note_contact(d, s.pair->userdata, s.e_r, s.force.z());
 }
 
 }  // namespace
@@ -342,7 +340,7 @@ void apply_coulomb(const Config& config, const mjModel* m, mjData* d, PassMotion
   }
   for (const CoulombContact& s : contacts) {
     note(s, d);
-    if (s.force.x() > 0.0) s.add_side(d->qfrc_passive);
+    if (s.force.x() > 0.0) s.add_remainder(d->qfrc_passive);
   }
 }
 

@@ -36,7 +36,9 @@ void give_way(const ContactPair& pair, const ContactPoint& point, const mjModel*
 
 void apply_cones(const Config& config, const mjModel* m, mjData* d, PassMotion& motion) {
   const double halves_slip = 0.5 / m->opt.timestep;  // 1/s, B_t of corrected contacts
-  std::vector<SlidingContact> corrected;
+  // Kept between the passes, so that its memory is allocated only once.
+  static thread_local std::vector<SlidingContact> corrected;
+  corrected.clear();
   for (const int pair : config.corrected_pairs) {
     for_each_solved(d, m->pair_geom1[pair], m->pair_geom2[pair], [&](const mjContact& c) {
       set_friction_reference(m, d, c, halves_slip);

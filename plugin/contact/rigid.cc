@@ -19,9 +19,9 @@ namespace {
 
 // False if no impulse of the contact opens its gap, because nothing moves along the normal.
 bool can_open(const RigidContact& at) {
-  constexpr double kNothing = 1e-12;  // share of the whole flexibility
+  constexpr double kNothing = 1e-12;  // share of the whole admittance
   const Eigen::Vector2d e_r = contact_normal(at.step, at.pair->contact.clearance);
-  const Eigen::Matrix2d g = at.rows.plane->flexibility().topLeftCorner<2, 2>();
+  const Eigen::Matrix2d g = at.rows.plane->step_admittance().topLeftCorner<2, 2>();
   return e_r.dot(g * e_r) > kNothing * g.trace();
 }
 
@@ -202,7 +202,7 @@ void solve_group(const mjModel* m, mjData* d, std::span<RigidContact* const> con
 bool moves_with(const RigidContact& a, const RigidContact& b) {
   if (a.constrained && b.constrained) return true;
   const auto answers = [](const ContactSpace* at, const ContactSpace* to) {
-    return at && to && !at->flexibility(*to).isZero(0.0);
+    return at && to && !at->step_admittance(*to).isZero(0.0);
   };
   return answers(a.rows.plane, b.rows.plane) || answers(a.rows.plane, b.rows.axial) ||
          answers(a.rows.axial, b.rows.plane) || answers(a.rows.axial, b.rows.axial);
@@ -230,9 +230,9 @@ void note_results(const mjModel* m, mjData* d, std::span<RigidContact* const> gr
     ContactMemory memory(d, *at->pair, h);
     warned = warned || memory.warned();
     if (at->constrained && !at->result.converged) unsolved = at;
-    memory.note(at->result);
+    memory.note(at->result, at->step.d.norm());
     if (!at->rows.axial) continue;
-    note_contact(d, at->pair->data, at->result.e_r,
+    note_contact(d, at->pair->userdata, at->result.e_r,
                  (at->lasting_impulse.z() + at->impact_impulse.z()) / h);
   }
   if (unsolved && !warned) warn_unsolved(m, d, *unsolved->rows.plane);
@@ -283,7 +283,7 @@ void apply_rigid(const Config& config, const mjModel* m, mjData* d, PassMotion& 
     ContactMemory memory(d, pair, m->opt.timestep);
     if (!face_each_other(pair, motion.of(pair).place())) {
       memory.begin_anew();
-      memory.note({});
+      memory.note_open();
       continue;
     }
     facing.push_back(&pair);
@@ -297,7 +297,7 @@ void apply_rigid(const Config& config, const mjModel* m, mjData* d, PassMotion& 
     ContactMemory memory(d, *pair, m->opt.timestep);
     // The rotor is well within its ring; the exact gap does not matter.
     if (!near) memory.watch(0.0);
-    memory.note({});
+    memory.note_open();
   }
 }
 

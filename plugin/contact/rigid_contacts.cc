@@ -81,7 +81,7 @@ Eigen::Vector3d RigidContacts::end_of(const ContactSpace& at, const Eigen::Vecto
   if (probe_) return start + h_ * probe_->acceleration(at);
   Eigen::Vector3d end = start + h_ * at.response(d_->qfrc_smooth);
   for_each_load(1.0, [&](const ContactSpace& from, const Eigen::Vector3d& load, bool impact) {
-    end += (impact ? at.admittance(from) : at.flexibility(from)) * load;
+    end += (impact ? at.admittance(from) : at.step_admittance(from)) * load;
   });
   return end;
 }

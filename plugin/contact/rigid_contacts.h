@@ -4,7 +4,7 @@
 //   end_i = start_i + h a_i + sum_j G_ij w_j p_j,     w = (W_N, W_T)
 //
 // p = (normal, friction) impulses. If a contact moves along its ring's axis (relative_motion.h),
-// each contact has a third row: W_Z and the friction along the axis. G is the flexibility of the
+// each contact has a third row: W_Z and the friction along the axis. G is the admittance of the
 // step's matrix for an impulse that acts during the whole step, and the admittance of the mass for
 // an impulse of an impact. If MuJoCo's constraints act on one of the bodies, its solver is asked
 // for the rates instead (constraint_probe.h).

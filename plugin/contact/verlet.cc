@@ -18,18 +18,14 @@
 namespace rotorub::plugin {
 namespace {
 
-thread_local StepWorks* told_works = nullptr;
+thread_local StepWorks* works_of_step = nullptr;
 
 void watch_the_rings(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
                      bool anew) {
   for (const ContactPair& pair : config.pairs) {
-    EscapeGuard guard(contact_entries(pair, d).status);
-    if (anew) guard.begin();
-    // An impact of finite duration penetrates the ring.
-    if (!contact_enabled(m) || pair.contact.impact_time() > 0.0) continue;
-    const double clearance = pair.contact.clearance;
-    const double delta = separation(config.model, state.q(), pair.bearing).norm();
-    guard.watch(clearance - delta, clearance, d->time);
+    if (anew) ContactStatus(contact_entries(pair, d).status).begin();
+    if (!contact_enabled(m)) continue;
+    watch_escape(pair, d, separation(config.model, state.q(), pair.bearing).norm());
   }
 }
 
@@ -94,8 +90,8 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
     }
     if (const std::string& why = worker.hold.failure(); !why.empty()) controller_failed(d, why);
     const Eigen::Vector2d held = worker.hold.held();
-    const Eigen::Vector2d told = ring.magnets ? held : to_axes(held);
-    for (int k = 0; k < 2; ++k) d->ctrl[control_address(m, config.actuator[k])] = told[k];
+    const Eigen::Vector2d commanded = ring.magnets ? held : to_axes(held);
+    for (int k = 0; k < 2; ++k) d->ctrl[control_address(m, config.actuator[k])] = commanded[k];
   }
   ModelEntries& entry = model_entries(config, d);
   entry.held_x = mean.x();
@@ -109,10 +105,9 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
 void note(const ContactPair& pair, mjData* d, const FixedStep& r, double kick) {
   ContactEntries& entry = contact_entries(pair, d);
   const ContactStep& of = r.at(pair.bearing);
-  entry.mode = static_cast<double>(of.mode);
-  entry.normal_force = of.normal_impulse / kick + of.impact_force.x();
-  entry.friction_force = of.friction_impulse / kick + of.impact_force.y();
-  EscapeGuard(entry.status).record(r.status);
+  record_forces(entry, of.mode, of.normal_impulse / kick + of.impact_force.x(),
+                of.friction_impulse / kick + of.impact_force.y());
+  ContactStatus(entry.status).record(r.status);
   entry.impact = 0.0;
   for (const Impact& impact : r.impacts) {
     if (static_cast<std::size_t>(impact.contact) != pair.bearing) continue;
@@ -136,7 +131,7 @@ void note_place(const Config& config, const ContactPair& pair, const mjData* d,
   double q[kMaxCoordinates];
   for (int i = 0; i < config.model.nq(); ++i) q[i] = state.q()[i] + until * v[i];
   const Eigen::Vector2d there = separation(config.model, q, pair.bearing);
-  if (there.norm() > kNoNormal) note_contact(d, pair.data, there.normalized());
+  if (there.norm() > kNoNormal) note_contact(d, pair.userdata, there.normalized());
 }
 
 // If the flag is set, MuJoCo does not call mjcb_passive, but the native step still has its loads.
@@ -152,7 +147,7 @@ void warn_of_disabled_passive(const mjModel* m) {
 
 }  // namespace
 
-void tell_works(StepWorks* to) { told_works = to; }
+void record_works(StepWorks* to) { works_of_step = to; }
 
 void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coordinates& state) {
   warn_of_disabled_passive(m);
@@ -171,8 +166,8 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   add_other_actuators(config, m, d, loads);
   worker.stepper.apply(loads);
   const Eigen::Vector2d u = command(config, m, d, state, worker);
-  const FixedStep r = worker.stepper.step(worker.next, u, told_works != nullptr);
-  if (told_works) *told_works = {r.contact_work, r.impact_work, r.external_work};
+  const FixedStep r = worker.stepper.step(worker.next, u, works_of_step != nullptr);
+  if (works_of_step) *works_of_step = {r.contact_work, r.impact_work, r.external_work};
   const double kick = worker.stepper.last_kick() * h;
   for (const ContactPair& pair : config.pairs) note(pair, d, r, kick);
   if (r.status != Status::kOk) return;  // this step has neither native loads nor contact

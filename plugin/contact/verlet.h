@@ -31,7 +31,7 @@ struct StepWorks {
 };
 // From now on each native step of this thread writes its works to `to`. If `to` is null, the works
 // are not computed.
-void tell_works(StepWorks* to);
+void record_works(StepWorks* to);
 
 // --- The memory in userdata (verlet_memory.cc) ---
 

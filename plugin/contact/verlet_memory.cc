@@ -63,7 +63,7 @@ Known known_of(const Config& config, const mjModel* m, const mjData* d, std::siz
     return Differentiating::in_this_thread() || remembers(config, slot, state);
   };
   if (begun && passed == 0.0 && known(before)) return Known::kPass;
-  if (begun && std::abs(passed - h) <= 1e-6 * h && known(before + size)) return Known::kStepBefore;
+  if (begun && is_next_step(passed, h, d->time) && known(before + size)) return Known::kStepBefore;
   return Known::kNothing;
 }
 

@@ -40,7 +40,7 @@ struct Pass {
 };
 thread_local Pass pass;
 
-std::atomic<bool> stands_before = false;
+std::atomic<bool> preloaded = false;
 
 // Calls action(values, count) for all data that the answers depend on.
 template <typename Action>
@@ -123,12 +123,12 @@ void compute_actuators(const mjModel* m, mjData* d) {
   if (!engine) return;
   now.forces.clear();
   for (int i = 0; i < actuators; ++i) now.forces.push_back(d->actuator_force[force_address(m, i)]);
-  if (!stands_before) restore_plugin_state(m, d);
+  if (!preloaded) restore_plugin_state(m, d);
 }
 
 bool actuators_computed(const mjModel* m, mjData* d) {
   Pass& now = pass;
-  if (!stands_before || now.data != d || now.asking || !now.computed) return false;
+  if (!preloaded || now.data != d || now.asking || !now.computed) return false;
   now.computed = false;
   if (has_inputs(m, d, now.inputs)) return true;
   if (has_engine_actuators(m)) restore_plugin_state(m, d);
@@ -139,7 +139,8 @@ void allow_edits(const mjModel* m, const mjData* d) {
   if (pass.data == d && !has_engine_actuators(m)) pass.computed = false;
 }
 
-void expect_to_stand_before() { stands_before = true; }
+void set_preloaded() { preloaded = true; }
+bool is_preloaded() { return preloaded; }
 
 void compare_actuators(const mjModel* m, const mjData* d) {
   static std::atomic<bool> warned = false;

@@ -38,9 +38,12 @@ class ActuatorsAside {
 void compute_actuators(const mjModel* m, mjData* d);
 
 // For the preloaded library, which replaces MuJoCo's mj_fwdActuation: true if compute_actuators has
-// already done its work. The preloaded library calls expect_to_stand_before() once.
+// already done its work.
 bool actuators_computed(const mjModel* m, mjData* d);
-void expect_to_stand_before();
+// The preloaded library calls set_preloaded() once. It stands before MuJoCo: it replaces
+// mj_fwdActuation, and MuJoCo calls it after mj_sensorAcc.
+void set_preloaded();
+bool is_preloaded();
 // Call it after mj_step1: the program may edit mjModel before mj_step2, so that the forces must be
 // computed again, except those of engine plugins, which are computed once.
 void allow_edits(const mjModel* m, const mjData* d);

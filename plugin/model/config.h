@@ -45,8 +45,8 @@ struct ContactPair {
   scene::ContactModel contact_model = scene::ContactModel::kRigid;
   ContactParameters contact{};  // geometry and laws
   int rotor_geom = -1, ring_geom = -1;
-  int pair = -1;  // index of their <pair>; -1: none
-  int data = 0;   // index of its entries in mjData.userdata (user_data.h)
+  int pair = -1;     // index of their <pair>; -1: none
+  int userdata = 0;  // index of its entries in mjData.userdata (user_data.h)
   SensorAddresses sensors;
   double friction_reference = 0.0;  // 1/s, B_t of contact model cone; 0: MuJoCo's own reference
 
@@ -80,7 +80,7 @@ struct ShadowConfig {
   // ideal, because the force on the ring comes from MuJoCo.
   Model model;
   double mark = 0.0;  // hash of the model's numbers, > 0; it changes when mjModel is edited
-  int data = -1;      // index in mjData.userdata
+  int userdata = -1;  // index of its entries in mjData.userdata
   int gap = -1, normal_force = -1, friction_force = -1;  // in mjData.sensordata
   int rotor = -1, stator = -1;                           // x and y, also in mjData.sensordata
   int mujoco_rotor = -1;                                 // of MuJoCo's own rotor, x and y
@@ -89,7 +89,6 @@ struct ShadowConfig {
 
 struct Config {
   Model model;
-  scene::ContactModel contact = scene::ContactModel::kRigid;
 
   // Coordinate i of the native layout is qpos[qpos_address[i]], qvel[dof_address[i]]. With a
   // segment rotor only the coordinates from the ring on have addresses; the others are -1.
@@ -99,7 +98,7 @@ struct Config {
   std::optional<Segments> segments;  // only with a segment rotor
 
   // True for a user's own model with the plugin's contacts (own/own_config.h). Then `pairs`,
-  // `corrected_pairs`, `memory` and `memory_size` are filled, and `contact` from the first pair.
+  // `corrected_pairs`, `memory` and `memory_size` are filled.
   bool own = false;
   // The contacts. In a generated model they have the order of model.auxiliary.
   std::vector<ContactPair> pairs;
@@ -125,6 +124,11 @@ struct Config {
   std::optional<ShadowConfig> shadow;
 
   bool has_contact() const { return !pairs.empty(); }
+  // The contact model of the first contact, and so of all contacts in a generated model; `rigid` if
+  // there is none.
+  scene::ContactModel contact_model() const {
+    return pairs.empty() ? scene::ContactModel::kRigid : pairs.front().contact_model;
+  }
   // True if any contact has a law of this kind.
   bool has_rigid() const;
   bool has_soft() const;
@@ -132,7 +136,7 @@ struct Config {
   // True for `rigid` on the modal chain, where the native step replaces MuJoCo's
   // (contact/verlet.h).
   bool takes_native_steps() const {
-    return verlet_data >= 0 && contact == scene::ContactModel::kRigid;
+    return verlet_data >= 0 && contact_model() == scene::ContactModel::kRigid;
   }
 
   // Values for comparison with the numbers in mjModel (model_parameters.h).

@@ -48,7 +48,7 @@ void velocity_at_time(const Config& config, const mjModel* m, mjData* d, const C
   const double h = m->opt.timestep;
   // An impact in the previous step is over, so the velocity must not be extrapolated across it.
   const bool smooth = data.history_length == 2.0 && m->opt.integrator != mjINT_RK4;
-  const bool stepped = std::abs(data.latest_time - data.earlier_time - h) < 1e-6 * h;
+  const bool stepped = is_next_step(data.latest_time - data.earlier_time, h, data.latest_time);
   const double share = stepped && smooth ? 0.5 : 0.0;
   for (int i = 0; i < n; ++i) now[i] = v[i] + share * (v[i] - earlier[i]);
   // A sampled law sees the states of sampled magnetic bearings as their last samples left them.
@@ -110,8 +110,8 @@ void write_command(const Config& config, const mjModel* m, mjData* d) {
       data.sample = sample;
     }
   }
-  const Eigen::Vector2d told = ring.magnets ? u : to_axes(u);
-  for (int k = 0; k < 2; ++k) d->ctrl[control_address(m, config.actuator[k])] = told[k];
+  const Eigen::Vector2d commanded = ring.magnets ? u : to_axes(u);
+  for (int k = 0; k < 2; ++k) d->ctrl[control_address(m, config.actuator[k])] = commanded[k];
 }
 
 ActuatorState actuator_state(const Config& config, const mjModel* m, const mjData* d) {

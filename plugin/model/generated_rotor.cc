@@ -230,7 +230,8 @@ bool force_has_rate(const mjModel* m, int actuator) {
 }  // namespace
 
 bool damping_is_added(const mjModel* m, const Config& config) {
-  if (!config.has_contact() || config.segments || scene::is_cone(config.contact)) return false;
+  if (!config.has_contact() || config.segments || scene::is_cone(config.contact_model()))
+    return false;
   const Chain chain(m, config);
   for (int i = 0; i < m->nv && damped_step(m) > 0.0; ++i) {
     if (joint_damping_varies(m, i) && chain.has_joint(m->dof_jntid[i])) return true;
@@ -246,7 +247,7 @@ bool damping_is_added(const mjModel* m, const Config& config) {
 }
 
 void choose_path(const mjModel* m, Config& config) {
-  if (scene::is_cone(config.contact)) return;
+  if (scene::is_cone(config.contact_model())) return;
   config.damping_added = damping_is_added(m, config);
   const std::string constraint = added_constraint(m, config);
   if (constraint.empty() && !config.damping_added) return;

@@ -10,6 +10,8 @@
 
 #include <mujoco/mujoco.h>
 
+#include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "mjcf/names.h"
@@ -26,10 +28,8 @@ struct ContactEntries {
   // The rest is for `rigid` only, except `status`:
   mjtNum time;    // s, of the pass to which `before`, `now` and `status` belong
   mjtNum before;  // m, distance of the centres if contact lasted over the previous step; else 0
-  // m, distance of the centres if contact lasts over this step (1 until remember_places()); else 0
-  mjtNum now;
-  // Status of the contact laws, with the bits of EscapeGuard and of solver_watch.cc.
-  mjtNum status;
+  mjtNum now;     // m, distance of the centres if contact lasts over this step; else 0
+  mjtNum status;  // the Status of the contact laws with its flags (contact/contact_status.h)
   mjtNum impact;  // 1: the impulses of the step belong to an impact, with these rates
   mjtNum gap_rate_before, gap_rate_after, slip_before, slip_after;  // m/s
   mjtNum impact_time;                                               // s; only in generated models
@@ -71,7 +71,7 @@ struct VerletEntries {
   mjtNum step;   // s
 };
 
-// The memory of the shadow, from ShadowConfig::data on (shadow.h). The memories of its
+// The memory of the shadow, from ShadowConfig::userdata on (shadow.h). The memories of its
 // ZeroOrderHold and of its stepper follow.
 struct ShadowEntries {
   mjtNum begun;     // ShadowConfig::mark of the model with which it began; 0: not begun
@@ -80,7 +80,7 @@ struct ShadowEntries {
   mjtNum step;      // s
   mjtNum origin;    // s, time from which its steps are counted
   mjtNum steps;     // number of steps taken since
-  mjtNum status;    // the Status as a number; the shadow stands still unless it is kOk
+  mjtNum status;    // the Status as a number; the shadow has stopped unless it is kOk
   mjtNum normal;    // N, mean over the last step
   mjtNum friction;  // N, on the rotor along e_t
 };
@@ -110,10 +110,20 @@ inline const ModelEntries& model_entries(const Config& config, const mjData* d) 
   return entries<ModelEntries>(d, config.memory);
 }
 inline ContactEntries& contact_entries(const ContactPair& pair, mjData* d) {
-  return entries<ContactEntries>(d, pair.data);
+  return entries<ContactEntries>(d, pair.userdata);
 }
 inline const ContactEntries& contact_entries(const ContactPair& pair, const mjData* d) {
-  return entries<ContactEntries>(d, pair.data);
+  return entries<ContactEntries>(d, pair.userdata);
+}
+
+// s, difference of two times up to round-off: of the step h, and of MuJoCo's sum of the steps until
+// `time` (s).
+inline double time_tolerance(double h, double time) {
+  return 1e-6 * h + 4.0 * std::numeric_limits<double>::epsilon() * std::abs(time);
+}
+// True if the time that passed until `time` is one step. All in s.
+inline bool is_next_step(double passed, double h, double time) {
+  return std::abs(passed - h) <= time_tolerance(h, time);
 }
 
 // The memory just behind a struct.

@@ -240,8 +240,8 @@ void map_own_contacts(const mjModel* m, Config& config) {
     if (!p) continue;
     for (const ContactPair& other : config.pairs)
       refusals.attempt([&] { check_two_contacts(m, other, *p, name); });
-    p->data = config.memory + kFirstContact +
-              kEntries<ContactEntries> * static_cast<int>(config.pairs.size());
+    p->userdata = config.memory + kFirstContact +
+                  kEntries<ContactEntries> * static_cast<int>(config.pairs.size());
     config.pairs.push_back(*p);
   }
   refusals.attempt([&] {
@@ -266,8 +266,6 @@ void map_own_contacts(const mjModel* m, Config& config) {
                                                 config.memory)));
   });
   refusals.raise();
-  if (config.pairs.empty()) return;
-  config.contact = config.pairs.front().contact_model;
 }
 
 }  // namespace rotorub::plugin

@@ -280,7 +280,7 @@ class Maker {
   void fill_scene(const Layout& l) {
     scene::Scene& scene = twin_.scene;
     scene.run.step = m_->opt.timestep;
-    scene.mujoco.contact = config_.contact;
+    scene.mujoco.contact = config_.contact_model();
     // Pictures and pages read these lists.
     scene::RotorModal& modal = scene.rotor.modal.emplace();
     modal.mass = list(rotor_.x.mass);
@@ -333,10 +333,10 @@ void NativeTwin::read(const mjModel* m, const mjData* d, double* q, double* v) c
 
 NativeTwin make_native_twin(const mjModel* m, const Config& config, const mjData* start) {
   for (const ContactPair& pair : config.pairs) {
-    if (pair.contact_model == config.contact) continue;
+    if (pair.contact_model == config.contact_model()) continue;
     refuse("<custom>",
            message("has contacts by {} and {}; `compare` needs one contact model",
-                   scene::to_string(config.contact), scene::to_string(pair.contact_model)));
+                   scene::to_string(config.contact_model()), scene::to_string(pair.contact_model)));
   }
   return Maker(m, config, start).make();
 }

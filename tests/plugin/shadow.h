@@ -29,7 +29,7 @@ inline std::vector<double> shadow_coordinates(const plugin::Config& config, cons
 }
 
 inline const plugin::ShadowEntries& shadow_entries(const plugin::Config& config, const mjData* d) {
-  return plugin::entries<plugin::ShadowEntries>(d, config.shadow->data);
+  return plugin::entries<plugin::ShadowEntries>(d, config.shadow->userdata);
 }
 
 inline Eigen::Vector2d point(const mjModel* m, const mjData* d, const char* name) {

@@ -87,7 +87,8 @@ TEST_F(ShadowData, RepeatedPassesChangeNothing) {
   steps(d.get(), kShadowSteps);
   mj_forward(model_.get(), d.get());
   const auto memory = [&] {
-    return std::vector<double>(d->userdata + config_.shadow->data, d->userdata + model_->nuserdata);
+    return std::vector<double>(d->userdata + config_.shadow->userdata,
+                               d->userdata + model_->nuserdata);
   };
   const std::vector<double> before = memory();
   mj_forward(model_.get(), d.get());
@@ -110,6 +111,17 @@ TEST_F(ShadowData, ANewStepStartsAnew) {
   EXPECT_EQ(shadow_entries(config_, d.get()).step, model_->opt.timestep);
   EXPECT_EQ(shadow_entries(config_, d.get()).origin, changed);
   EXPECT_EQ(shadow_entries(config_, d.get()).steps, 10.0);
+}
+
+// At 1e6 s the round-off of the time is larger than a millionth of the step.
+TEST_F(ShadowData, FollowsEveryStepAtLargeTimes) {
+  const ModelPointer m = load(mjcf(shadowed("bench_ring", {"initial.x=[1e-4]"})));
+  const DataPointer d = start(m.get());
+  const plugin::Config config = plugin::make_config(m.get());
+  d->time = 1e6;
+  for (int k = 0; k < 101; ++k) mj_step(m.get(), d.get());
+  EXPECT_EQ(shadow_entries(config, d.get()).origin, 1e6);
+  EXPECT_EQ(shadow_entries(config, d.get()).steps, 100.0);
 }
 
 TEST_F(ShadowData, AStepThatIsTooLargeIsRefusedByItsKey) {
@@ -161,7 +173,7 @@ TEST_F(ShadowData, AFailureStopsItWithOneWarning) {
   const DataPointer d = start(m.get());
   for (int k = 0; k < 100; ++k) mj_step(m.get(), d.get());
   const int velocity =
-      config.shadow->data + plugin::kEntries<plugin::ShadowEntries> + 6 + config.model.nq();
+      config.shadow->userdata + plugin::kEntries<plugin::ShadowEntries> + 6 + config.model.nq();
   d->userdata[velocity] = d->userdata[velocity + 1] = 1.7e308;
   const auto said_by_fixture = mju_user_warning;
   mju_user_warning = [](const char* text) {

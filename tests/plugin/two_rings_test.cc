@@ -12,6 +12,7 @@
 #include "mjcf/writer.h"
 #include "native_model/model/dynamics.h"
 #include "native_model/prepare/prepare.h"
+#include "plugin/contact/contact_memory.h"
 #include "plugin/contact/verlet.h"
 #include "plugin/make_config.h"
 #include "plugin/model/generated_rotor.h"
@@ -238,6 +239,43 @@ TEST_F(SeveralOnTheChain, NoticeAWrittenStateInAnyOrder) {
     EXPECT_FALSE(plugin::begins_anew(config, m.get(), d.get())) << first;
     d->qpos[config.qpos_address[0]] += 1e-9;
     EXPECT_TRUE(plugin::begins_anew(config, m.get(), d.get())) << first;
+  }
+}
+
+// At 1e6 s the round-off of the time is larger than a millionth of the step.
+TEST_F(SeveralOnTheChain, KnowTheNextStepAtLargeTimes) {
+  const ModelPointer m = load(mjcf(in_rings("\"10 mm\"", "\"10 um\"")));
+  const DataPointer d = start(m.get());
+  const plugin::Config config = plugin::make_config(m.get());
+  d->time = 1e6;
+  for (int k = 0; k < 10; ++k) {
+    mj_step(m.get(), d.get());
+    if (k == 0) continue;
+    EXPECT_FALSE(plugin::begins_anew(config, m.get(), d.get())) << k;
+  }
+}
+
+// The force sensors need the normal and the axial friction of every contact of the pass
+// (load_cells.h), whatever the place of the contact's entries in userdata.
+TEST_F(SeveralOnTheChain, EachKeepsItsNotedResults) {
+  for (int modes = 1; modes <= 16; ++modes) {
+    std::string values;
+    for (int i = 0; i < modes; ++i) values += i == 0 ? "[1.0" : ", 1.0";
+    values += "]";
+    const ModelPointer m =
+        load(mjcf(parsed(in_rings("\"10 mm\"", "\"10 um\"").text,
+                         {"rotor.modal.mass=" + values, "rotor.modal.stiffness=" + values,
+                          "rotor.modal.damping=" + values})));
+    const DataPointer d = start(m.get()), other = start(m.get());
+    const plugin::Config config = plugin::make_config(m.get());
+    ASSERT_EQ(config.pairs.size(), 2u);
+    const int first = config.pairs[0].userdata, second = config.pairs[1].userdata;
+    plugin::note_contact(d.get(), first, {1.0, 0.0}, 10.0);
+    plugin::note_contact(d.get(), second, {0.0, 1.0}, 20.0);
+    plugin::note_contact(other.get(), first, {0.0, -1.0}, 30.0);
+    EXPECT_EQ(plugin::noted_contact(d.get(), first)->axial, 10.0) << modes;
+    EXPECT_EQ(plugin::noted_contact(d.get(), second)->axial, 20.0) << modes;
+    EXPECT_EQ(plugin::noted_contact(other.get(), first)->axial, 30.0) << modes;
   }
 }
 

@@ -182,8 +182,11 @@ TEST_P(UserCallbacks, DoNotReplaceTheMagnets) {
 // Whoever has called us and then does not costs one step its contact, is told of, and comes second.
 TEST_P(UserCallbacks, ThatStopCallingUsAreNoticed) {
   const std::string text = said(bench(), "chained_at_first");
-  EXPECT_NE(text.find("warning: rotorub: mjcb_control called the plugin's before"),
-            std::string::npos)
+  EXPECT_NE(
+      text.find(
+          "warning: rotorub: your mjcb_control called the plugin's mjcb_control before, but not "
+          "in the last step, so that step had no contact"),
+      std::string::npos)
       << text;
   const Line line = line_of(text.substr(text.find('\n') + 1));
   EXPECT_EQ(line.active, 1.0 - 1.0 / kCallbackSteps);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/report/plot_points.h"
+#include "native_model/numerics/hermite.h"
 
 namespace rotorub {
 
@@ -18,12 +19,6 @@ constexpr double kMostQuanta = 1e15;     // of a value: whole numbers that a dou
 constexpr double kQuantumShare = 0.25;   // relative to the smallest tolerance
 constexpr double kRateSpan =
     1.0 / 256.0;  // of the run: over so long a rate's quantum moves a value by one
-
-// Cubic Hermite over h at the fraction s: values a, b and rates da, db at the ends.
-double hermite(double a, double da, double b, double db, double h, double s) {
-  const double r = 1.0 - s;
-  return r * r * ((1.0 + 2.0 * s) * a + s * h * da) + s * s * ((3.0 - 2.0 * s) * b - r * h * db);
-}
 
 // Applies the floor of a floored track between the values a and b.
 double lifted(double y, double a, double b) { return std::max(y, std::min({a, b, 0.0})); }

@@ -9,10 +9,10 @@
 
 #include "native_model/linear/rub_map.h"
 #include "native_model/periodic/continuation.h"
-#include "native_model/periodic/guesses.h"
 #include "native_model/periodic/period_figures.h"
 #include "native_model/prepare/prepare.h"
 #include "tests/native_model/periodic/bounce_once_a_turn.h"
+#include "tests/native_model/periodic/first_guesses.h"
 #include "tests/support/native_run.h"
 #include "tests/support/whip.h"
 

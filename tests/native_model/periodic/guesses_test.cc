@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "native_model/periodic/guesses.h"
 #include "native_model/periodic/period_figures.h"
 #include "native_model/prepare/prepare.h"
+#include "tests/native_model/periodic/first_guesses.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub::periodic {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "mjcf/writer.h"
-#include "plugin/contact/contact_memory.h"
+#include "plugin/contact/contact_status.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/support/mujoco_fixture.h"
 
@@ -27,27 +27,27 @@ class Escape : public HookedTest {
   }
 };
 
-TEST(EscapeGuard, TellsOnceAndKnowsStarts) {
+TEST(ContactStatus, TellsOnceAndKnowsStarts) {
   mjtNum status = 0.0;
-  plugin::EscapeGuard guard(status);
+  plugin::ContactStatus guard(status);
   void (*const before)(const char*) = mju_user_warning;
   mju_user_warning = count_escape;
   escapes = 0;
-  guard.watch(-1e-4, 5e-4, 0.0);  // a start in the wall
-  EXPECT_FALSE(guard.is_outside());
-  guard.watch(1e-6, 5e-4, 0.1);
+  guard.watch_escape(-1e-4, 5e-4, 0.0);  // a start in the wall
+  EXPECT_FALSE(guard.has(plugin::kIsOutside));
+  guard.watch_escape(1e-6, 5e-4, 0.1);
   guard.set_status(Status::kAmbiguous);
   for (int k = 0; k < 3; ++k) {
-    guard.watch(-6e-6, 5e-4, 0.2);
-    EXPECT_TRUE(guard.is_outside());
+    guard.watch_escape(-6e-6, 5e-4, 0.2);
+    EXPECT_TRUE(guard.has(plugin::kIsOutside));
   }
   EXPECT_EQ(guard.status(), Status::kAmbiguous);
   EXPECT_EQ(escapes, 1);
-  guard.watch(-4e-6, 5e-4, 0.3);  // 1 % is a step's matter
-  EXPECT_FALSE(guard.is_outside());
+  guard.watch_escape(-4e-6, 5e-4, 0.3);  // 1 % is a step's matter
+  EXPECT_FALSE(guard.has(plugin::kIsOutside));
   guard.begin();
-  guard.watch(-1e-3, 5e-4, 0.4);
-  EXPECT_FALSE(guard.is_outside());
+  guard.watch_escape(-1e-3, 5e-4, 0.4);
+  EXPECT_FALSE(guard.has(plugin::kIsOutside));
   mju_user_warning = before;
 }
 

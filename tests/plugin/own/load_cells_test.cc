@@ -9,8 +9,10 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
+#include "plugin/contact/contact_memory.h"
 #include "plugin/contact_force.h"
 #include "plugin/load_cells.h"
+#include "plugin/make_config.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/plugin/own/two_rings.h"
 #include "tests/plugin/scenes.h"
@@ -88,6 +90,20 @@ TEST_F(LoadCells, BelowARingThatStands) {
       EXPECT_NEAR(data(m.get(), d, "pad")[0], normal, 1e-3 * normal) << contact;
     });
   }
+}
+
+// A contact without a force shows none, although the thread still has the results of an earlier
+// pass at the same time, as after mj_resetData.
+TEST_F(LoadCells, ForgetTheFrictionOfAnEarlierPass) {
+  Machine x;
+  x.ring_moves = false;
+  const ModelPointer m = load(with_cells(x));
+  const DataPointer d = start(m.get());
+  mj_forward(m.get(), d.get());
+  const int userdata = plugin::make_config(m.get()).pairs.front().userdata;
+  plugin::note_contact(d.get(), userdata, {1.0, 0.0}, 50.0);
+  mj_forward(m.get(), d.get());
+  EXPECT_NEAR(data(m.get(), d.get(), "cell")[2], 0.0, 1e-9);
 }
 
 // A touch sensor reads a contact whose ray out of the sensor's body meets its site, under `rigid`
