@@ -185,6 +185,13 @@ std::string FilmClock::text() const {
   return text + (whole ? "" : fmt::format(", {:.4g} times elsewhere", rest_ * base_));
 }
 
+std::string Framing::magnification_text(FilmView view) const {
+  const std::string text = fmt::format("displacements magnified {:.3g} times", magnification);
+  if (view != FilmView::kRig || machine_magnification == magnification) return text;
+  return text +
+         fmt::format(" in the cross-section, {:.3g} times in the machine", machine_magnification);
+}
+
 void check_options(const RenderOptions& options) {
   constexpr double kAboveZero = std::numeric_limits<double>::min();
   constexpr double kFinite = std::numeric_limits<double>::max();

@@ -119,6 +119,8 @@ struct Framing {
   double magnification = 1.0;          // of displacements and clearance in the cross-section
   double machine_magnification = 1.0;  // the same in the view of the whole machine
   int frames = 1;                      // of the film; the first shows `from`, the last `to`
+  // "displacements magnified 40 times in the cross-section, 100 times in the machine".
+  std::string magnification_text(FilmView view) const;
   double time(int frame) const {
     return frames < 2 ? from : clock.time(static_cast<double>(frame) / (frames - 1));
   }

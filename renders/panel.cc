@@ -234,9 +234,10 @@ void Panel::write_scale_bars(Sheet sheet) const {
         color);
   };
   if (!film_->scales.impulses && film_->scales.force.high > 0.0) {
-    force(film_->scales.force, "contact", palette::kNormal);
+    force(film_->scales.force, "contact force", palette::kNormal);
   }
-  if (film_->scales.control.high > 0.0) force(film_->scales.control, "control", palette::kControl);
+  if (film_->scales.control.high > 0.0)
+    force(film_->scales.control, "control force", palette::kControl);
   if (film_->scales.current.high > 0.0) {
     bar(kCurrentShare * contact.rotor_radius * pixels,
         "coil current " + value_text(film_->scales.current.high, "A"), palette::kCurrent);

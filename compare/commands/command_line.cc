@@ -86,6 +86,13 @@ std::string empty_value(const CLI::App& command) {
 std::string unknown_argument(const CLI::App& command, const std::vector<std::string>& unknown) {
   const auto option = std::find_if(unknown.begin(), unknown.end(),
                                    [](const std::string& word) { return word.starts_with('-'); });
+  // "--set KEY VALUE": the parser takes VALUE as an argument of its own.
+  const CLI::Option* set = command.get_option_no_throw("--set");
+  if (option == unknown.end() && set != nullptr && !set->results().empty() &&
+      set->results().back().find('=') == std::string::npos) {
+    return fmt::format("write --set {}={}", scene::printable(set->results().back()),
+                       scene::printable(unknown.front()));
+  }
   if (option == unknown.end())
     return fmt::format("{}: unexpected argument", scene::printable(unknown.front()));
   const std::string word = option->substr(0, option->find('='));

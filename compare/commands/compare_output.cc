@@ -115,8 +115,8 @@ std::vector<Job> jobs_of(const std::filesystem::path& folder, const SceneCompari
 }
 
 std::string caption(const std::string& label, bool beside, const renders::Framing& framing) {
-  return fmt::format("{}{}; {}, displacements magnified {:.3g} times", label,
-                     beside ? " beside native" : "", framing.clock.text(), framing.magnification);
+  return fmt::format("{}{}; {}, {}", label, beside ? " beside native" : "", framing.clock.text(),
+                     framing.magnification_text(renders::FilmView::kRig));
 }
 
 // The scales cover all runs of the scene, so that its films can be compared with each other.

@@ -258,6 +258,8 @@ int modes(const ModesArguments& options) {
   std::vector<double> frictions = given_range("--frictions", options.map_frictions, scene::kPure);
   const scene::Scene scene = read_scene(options.scene, options);
   RotorAnalysis analysis = analyse_rotor(scene, speeds);
+  if (!options.json && !options.rub_map)
+    analysis.margin = speed_margin(scene, analysis.critical_speeds);
   if (options.periodic) analysis.periodic_rubs = lasting_rubs_by_shooting(scene);
   const std::string name = scene::printable(scene.name);
   result::Section found = modes_result(name, analysis);

@@ -1,6 +1,7 @@
 // rotorub plot: makes the page of a saved run.
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <memory>
@@ -64,6 +65,8 @@ Command add_plot_command(CLI::App& program) {
   add_option(app, "RUN_DIR", options->folder, "Output folder of `rotorub run -o DIR`").required();
   add_value(app, "-o,--output", options->file, "FILE.html", "File (default: RUN_DIR/plot.html)");
   add_common_options(app, *options);
+  app.get_option("--set")->description(
+      "Refused: the folder has a finished run, and --set changes only scenes");
   return {&app, [options] { return plot(*options); }};
 }
 

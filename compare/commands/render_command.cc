@@ -150,9 +150,8 @@ result::Section result_of(const StoredRun& run, const renders::RenderOptions& fi
                                   {"height", film.height},
                                   {"magnification", framing.magnification},
                                   {"shadow", shadow}}},
-                    result::line(fmt::format("{}: {}, displacements magnified {:.3g} times{}",
-                                             scene::printable(run.scene.name), words,
-                                             framing.magnification,
+                    result::line(fmt::format("{}: {}, {}{}", scene::printable(run.scene.name),
+                                             words, framing.magnification_text(film.view),
                                              shadow ? ", the shadow drawn as a ghost" : "")),
                     written_to(file)}};
 }

@@ -122,7 +122,7 @@ const Figure kFigures[] = {
      {kCount, kNo, 1.0},
      of<&Metrics::impacts>},
     {{"max_penetration", "penetration, max", "µm", 1e6,
-      "Largest penetration; with a rigid contact at most the way of one step."},
+      "Largest penetration; with a rigid contact at most the distance travelled in one step."},
      {kRel, kNo, 0.0, true, false},
      of<&Metrics::max_penetration>},
     {{"rms_penetration", "penetration, rms", "µm", 1e6,

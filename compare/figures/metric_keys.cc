@@ -49,7 +49,7 @@ const MetricKey kMetricKeys[] = {
     {"wall_s", "s", "computing time; not a result", read<&Metrics::wall_s>, true},
     {"us_per_step", "us", "computing time of a step; not a result", read<&Metrics::us_per_step>,
      true},
-    {"first_touch", "s", "time of the first contact; null: never",
+    {"first_touch", "s", "time of the first touch; null: never",
      read_or_null<&Metrics::first_touch>},
     {"least_gap", "m", "smallest gap of all rows and ends of steps; null: no [contact]",
      read_or_null<&Metrics::least_gap>},

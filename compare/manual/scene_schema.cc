@@ -61,7 +61,7 @@ json value_schema(const Key& key) {
   return true;
 }
 
-// "shaft length. Expected: a length in m, > 0; units: m, mm, um. Required."
+// "shaft length. Expected: a length in m, > 0; units: m, mm, um, in, mil, cm. Required."
 std::string described(const Key& key) {
   std::string text(key.meaning.empty() ? key.quantity.name : key.meaning);
   const bool measured =

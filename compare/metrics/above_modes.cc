@@ -5,16 +5,11 @@
 #include <vector>
 
 #include "compare/metrics/relative_motion.h"
-#include "native_model/linear/campbell.h"
 #include "native_model/linear/whirl_system.h"
 #include "native_model/rotor/refusal.h"
 
 namespace rotorub {
 namespace {
-
-bool above(const ModeBand& band, double rate) {
-  return rate > band.forward || rate < -band.backward;
-}
 
 // psi' at time t, linear between rows; `points` must not be empty.
 double rate_at(const std::vector<RelativePoint>& points, double t) {
@@ -40,14 +35,21 @@ struct Share {
 
 std::optional<ModeBand> mode_band(const scene::Scene& scene) {
   if (!scene.first().contact || !scene.rotor.geometry) return {};
-  const WhirlSpectrum spectrum =
-      with_place(scene, [&] { return whirl_spectrum(whirl_system(scene), scene.rotor.speed); });
+  return mode_band(
+      with_place(scene, [&] { return whirl_spectrum(whirl_system(scene), scene.rotor.speed); }));
+}
+
+ModeBand mode_band(const WhirlSpectrum& spectrum) {
   ModeBand band;
   for (const WhirlMode& mode : spectrum.modes) {
     band.forward = std::max(band.forward, mode.frequency);
     band.backward = std::max(band.backward, -mode.frequency);
   }
   return band;
+}
+
+bool is_above(const ModeBand& band, double rate) {
+  return rate > band.forward || rate < -band.backward;
 }
 
 AboveModes above_modes(const Trajectory& trajectory, const ModeBand& band) {
@@ -60,7 +62,7 @@ AboveModes above_modes(const Trajectory& trajectory, const ModeBand& band) {
   const auto& slip = trajectory.column("slip");
   const auto meet = [&](double rate) {
     if (std::abs(rate) > std::abs(result.fastest)) result.fastest = rate;
-    return above(band, rate);
+    return is_above(band, rate);
   };
 
   Share contact, work;

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "native_model/linear/campbell.h"
 #include "native_model/scene/scene.h"
 #include "native_model/trajectory/trajectory.h"
 
@@ -17,6 +18,10 @@ struct ModeBand {
 // For a rotor in geometry form with a contact; otherwise empty, because modal data count as the
 // exact rotor.
 std::optional<ModeBand> mode_band(const scene::Scene& scene);
+// The band of these modes.
+ModeBand mode_band(const WhirlSpectrum& spectrum);
+// Whether a whirl at `rate` (rad/s, forward positive) is faster than all modes of its sense.
+bool is_above(const ModeBand& band, double rate);
 
 // Angular rate of the contact normal psi' = v_t / delta: v_t is the speed of the relative centre
 // along e_t, delta its distance.

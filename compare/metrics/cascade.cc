@@ -32,12 +32,12 @@ void append_row(const std::vector<Complex>& z, double h, const std::vector<doubl
                 std::vector<double>& out) {
   const Eigen::Map<const Eigen::ArrayXcd> all(z.data(), static_cast<Eigen::Index>(z.size()));
   const Eigen::ArrayXd window = hann_window(all.size());
-  const Eigen::ArrayXcd windowed = window * (all - all.mean());
+  const Eigen::ArrayXcd shown = windowed(all, window);
   const double weight = window.sum();
   for (const double f : frequencies) {
     const Complex step = std::polar(1.0, -kTurn * f * h);
     Complex turn = 1.0, sum = 0.0;
-    for (const Complex& place : windowed) {
+    for (const Complex& place : shown) {
       sum += place * turn;
       turn *= step;
     }

@@ -17,4 +17,11 @@ inline Eigen::ArrayXd hann_window(Eigen::Index size) {
   return 0.5 - 0.5 * (2.0 * std::numbers::pi / static_cast<double>(size) * n).cos();
 }
 
+// The values less their mean, times the window. The mean has the window's weights, so that the sum
+// is 0: a whirl that does not make whole turns would otherwise show a peak at 0 Hz.
+inline Eigen::ArrayXcd windowed(const Eigen::Ref<const Eigen::ArrayXcd>& values,
+                                const Eigen::ArrayXd& window) {
+  return window * (values - (window * values).sum() / window.sum());
+}
+
 }  // namespace rotorub

@@ -32,9 +32,9 @@ class Transform {
   }
   void append(std::span<const Complex> z, std::vector<double>& amplitude) {
     const Eigen::Map<const Eigen::ArrayXcd> all(z.data(), values_);
-    Eigen::VectorXcd windowed = Eigen::VectorXcd::Zero(size_);
-    windowed.head(values_) = window_ * (all - all.mean());
-    fourier_.fwd(spectrum_, windowed);
+    Eigen::VectorXcd padded = Eigen::VectorXcd::Zero(size_);
+    padded.head(values_) = windowed(all, window_);
+    fourier_.fwd(spectrum_, padded);
     const Eigen::ArrayXd size = spectrum_.array().abs() / window_.sum();
     const auto first = size.begin() + (size_ - size_ / 2);  // negative frequencies first
     amplitude.insert(amplitude.end(), first, size.end());

@@ -11,7 +11,7 @@
 
 namespace rotorub {
 
-// For z = x + i y sampled every h seconds, without its mean, under a Hann window w:
+// For z = x + i y sampled every h seconds, without its mean under a Hann window w:
 //
 //   a(f) = |sum_n w_n z_n exp(-2 pi i f n h)| / sum_n w_n,   f = k / (N h), -1 <= 2 f h < 1.
 //

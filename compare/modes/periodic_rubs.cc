@@ -132,8 +132,9 @@ std::string ending_of(const Model& m, const periodic::SettledMotion& settled) {
   end.order = kPeriods;
   const PeriodicRub rub = periodic_rub(m, std::move(end));
   const periodic::ContactFigures& f = rub.figures[rub.contact];
-  return fmt::format("; at its end: {}, whirl {:.4g} rad/s, mean force {:.4g} N", rub.kind, f.whirl,
-                     f.mean_force);
+  const std::string force =
+      f.mean_force > 0.0 ? fmt::format(", mean force {:.4g} N", f.mean_force) : "";
+  return fmt::format("; at the end: {}, whirl {:.4g} rad/s{}", rub.kind, f.whirl, force);
 }
 
 }  // namespace

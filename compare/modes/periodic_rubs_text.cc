@@ -51,7 +51,8 @@ result::Table rubs_table(const PeriodicRubs& all) {
     return Item{whirl, goes_around ? number(whirl, 6).text : "0"};
   });
   add({"mean_force", "force / N", 11}, [&](auto& r) { return number(main(r).mean_force, 6); });
-  add({"largest_force", "up to", 9}, [&](auto& r) { return number(main(r).largest_force, 5); });
+  add({"largest_force", "largest force / N", 19},
+      [&](auto& r) { return number(main(r).largest_force, 5); });
   add({"contact_share", "contact %", 11},
       [&](auto& r) { return number(main(r).contact_share, 4, 100.0); });
   add({"impacts", "impacts", 9}, [&](auto& r) {
@@ -94,7 +95,8 @@ result::Table rubs_table(const PeriodicRubs& all) {
     for (std::size_t j = 0; j < all.contacts.size(); ++j)
       contacts.push_back(figures_json(all.rubs[k].figures[j], all.contacts[j]));
     table.rows[k].data = {{"contacts", contacts}};
-    std::string words = fmt::format("from: {}", fmt::join(all.rubs[k].starts, ", "));
+    std::string words = fmt::format("start{}: {}", all.rubs[k].starts.size() > 1 ? "s" : "",
+                                    fmt::join(all.rubs[k].starts, ", "));
     if (!all.contacts[all.rubs[k].contact].empty())
       words += fmt::format("; contact \"{}\"", all.contacts[all.rubs[k].contact]);
     table.rows[k].note = {.text = words, .lead = "    "};
@@ -113,7 +115,7 @@ result::Section periodic_rubs_result(const PeriodicRubs& all) {
   json without = json::array();
   for (const UnsettledStart& start : all.without) {
     without.push_back({{"start", start.start}, {"reason", start.why}});
-    section.add({result::Sentence{.text = fmt::format("from {}: {}", start.start, start.why),
+    section.add({result::Sentence{.text = fmt::format("From {}: {}.", start.start, start.why),
                                   .lead = "  "}});
   }
   const json refused = all.refused.empty() ? json(nullptr) : json(all.refused);

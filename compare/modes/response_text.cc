@@ -21,31 +21,41 @@ constexpr double kMicrons = 1e6;
 std::string vibration_sentence(const FreeOrbit& orbit, double speed) {
   const double limit = vibration_limit(speed);
   if (!std::isfinite(limit) || orbit.vibration == 0.0) return "";
-  return fmt::format("{:.5g} µm peak to peak, {} the {:.4g} µm of API 617",
-                     kMicrons * orbit.vibration, orbit.vibration <= limit ? "within" : "beyond",
-                     kMicrons * limit);
+  return fmt::format(
+      "{:.4g} µm peak to peak; API 617 allows {:.4g} µm (at the probes near the bearings)",
+      kMicrons * orbit.vibration, kMicrons * limit);
 }
 
-// An orbit at a contact and its time: ", before the loss".
+// "radius 636.1 µm" for a circle about the ring's centre.
+std::string size_text(const FreeOrbit& orbit) {
+  constexpr double kRoundOff = 1e-9;
+  const double largest = *orbit.largest, radius = 0.5 * orbit.vibration;
+  return std::abs(radius - largest) <= kRoundOff * largest
+             ? fmt::format("radius {:.4g} µm", kMicrons * largest)
+             : fmt::format("up to {:.4g} µm from the middle of the ring", kMicrons * largest);
+}
+
+// An orbit at a contact and its time: " before the loss".
 struct TimedOrbit {
   const FreeOrbit& orbit;
   const char* when;
+  bool in_service;  // of the whole machine, for which API 617 has its limit
 };
 
 std::vector<TimedOrbit> orbits_at(const ContactPlace& place, const RotorResponse& response) {
   const FreeOrbit& last = response.all.orbits[place.bearing];
-  if (!response.before_loss) return {{last, ""}};
-  return {{response.before_loss->orbits[place.bearing], ", before the loss"},
-          {last, ", after the loss"}};
+  if (!response.before_loss) return {{last, "", true}};
+  return {{response.before_loss->orbits[place.bearing], " before the loss", true},
+          {last, " after the loss", false}};
 }
 
 std::vector<result::Part> orbit_parts(const ContactPlace& place, const TimedOrbit& at,
                                       double speed) {
   using result::Data, result::Sentence;
   const FreeOrbit& orbit = at.orbit;
-  const std::string where = fmt::format(
-      "response at {}{}",
-      place.name.empty() ? "the contact" : fmt::format("contact \"{}\"", place.name), at.when);
+  const std::string contact =
+      place.name.empty() ? "the contact" : fmt::format("contact \"{}\"", place.name);
+  const std::string where = fmt::format("free orbit at {}{}", contact, at.when);
   const double gap = place.clearance - orbit.largest.value_or(0.0);
   const auto known = [&](double value) { return orbit.largest ? number_or_null(value) : json(); };
   const Data data{"",
@@ -57,15 +67,16 @@ std::vector<result::Part> orbit_parts(const ContactPlace& place, const TimedOrbi
   if (!orbit.largest)
     return {data, result::line(fmt::format("  {}: none, {}", where, orbit.refused))};
   std::vector<result::Part> parts{
-      data, Sentence{.text = fmt::format(
-                         "{}: {:.4g} µm from the middle of the ring, {}", where,
-                         kMicrons * *orbit.largest,
-                         gap > 0.0 ? fmt::format("least gap {:.4g} µm", kMicrons * gap)
-                                   : fmt::format("it touches: {:.4g} µm beyond the clearance",
-                                                 -kMicrons * gap)),
-                     .lead = "  "}};
-  const std::string vibration = vibration_sentence(orbit, speed);
-  if (!vibration.empty()) parts.emplace_back(result::line("  vibration there: " + vibration));
+      data,
+      Sentence{.text = fmt::format(
+                   "{}: {}, {}", where, size_text(orbit),
+                   gap > 0.0 ? fmt::format("least gap {:.4g} µm", kMicrons * gap)
+                             : fmt::format("{:.4g} µm more than the clearance", -kMicrons * gap)),
+               .lead = "  "}};
+  const std::string vibration = at.in_service ? vibration_sentence(orbit, speed) : "";
+  if (!vibration.empty())
+    parts.emplace_back(
+        Sentence{.text = fmt::format("vibration at {}: {}", contact, vibration), .lead = "  "});
   return parts;
 }
 

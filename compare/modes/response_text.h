@@ -43,7 +43,7 @@ double vibration_limit(double speed);
 // to peak, "vibration_limit": m, of API 617 at this speed, null at rest, "refused": why there is no
 // such orbit, or null, "before_loss": the same keys except this one for the scene before a loss, or
 // null}. speed: rad/s.
-// People read the response before the loss first.
+// People read the response before the loss first, with its vibration.
 result::Section response_section(const ContactPlace& place, const RotorResponse& response,
                                  double speed);
 

@@ -9,11 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "compare/base/format.h"
 #include "compare/base/json.h"
 #include "compare/base/units.h"
 #include "compare/modes/levitation_text.h"
 #include "compare/modes/periodic_rubs_text.h"
 #include "compare/modes/response_text.h"
+#include "compare/modes/summary_text.h"
 
 namespace rotorub {
 namespace {
@@ -69,7 +71,7 @@ Part response_part(const RotorAnalysis& analysis, std::size_t at, std::size_t be
 Section speed_section(const RotorAnalysis& analysis, std::size_t at) {
   const auto& [speed, modes] = analysis.spectra[at];
   const auto name_of = [speed = speed](const WhirlMode& mode) { return sense_of(mode, speed); };
-  const std::string at_speed = fmt::format("at {:.6g} rad/s ({:.6g} rpm)", speed, speed * kRpm);
+  const std::string at_speed = "at " + speed_text(speed);
   Sentence above = line("\n" + at_speed);
   above.seen = result::kTerminal;
   Section section{
@@ -111,9 +113,10 @@ std::vector<Part> torsion_parts(const RotorAnalysis& analysis) {
 }
 
 // The number of critical speeds that the terminal lists: those up to a few times the fastest speed
-// of the analysis, and the next one.
+// of the analysis and the next one, and at least the first five.
 std::size_t listed(const RotorAnalysis& analysis) {
   constexpr double kFew = 3.0;
+  constexpr std::size_t kFirst = 5;
   double fastest = 0.0;
   for (const WhirlSpectrum& s : analysis.spectra) fastest = std::max(fastest, std::abs(s.speed));
   const auto next = std::ranges::find_if(analysis.critical_speeds,
@@ -124,7 +127,7 @@ std::size_t listed(const RotorAnalysis& analysis) {
          std::abs(analysis.critical_speeds[count]) <= kFew * fastest) {
     ++count;
   }
-  return count;
+  return std::max(count, std::min(kFirst, analysis.critical_speeds.size()));
 }
 
 // The critical speeds that unbalance excites; with isotropic planes it cannot drive backward whirl.
@@ -138,7 +141,7 @@ std::vector<Part> critical_parts(const RotorAnalysis& analysis) {
     const auto seen = k < count ? result::kAll : result::kJson;
     const bool beyond = analysis.table_end > 0.0 && speed > analysis.table_end;
     table.rows.push_back(
-        {.items = {{speed, fmt::format("{:.7g} rad/s ({:.7g} rpm), ", speed, speed * kRpm)},
+        {.items = {{speed, speed_text(speed) + ", "},
                    {whirl, whirl + (beyond ? " (beyond the bearings' tables, so their last values "
                                              "are used)"
                                            : "")}},
@@ -154,8 +157,8 @@ std::vector<Part> critical_parts(const RotorAnalysis& analysis) {
     on_page.rows[k].items.push_back(table.rows[k].items[1]);
   std::vector<Part> parts{
       Data{"critical_speeds", analysis.critical_speeds},
-      line(fmt::format("\ncritical speeds that unbalance excites, undamped, up to {:.5g} rpm",
-                       analysis.critical_bound * kRpm),
+      line(fmt::format("\ncritical speeds that unbalance excites, undamped, up to {} rpm",
+                       grouped(analysis.critical_bound * kRpm)),
            Role::kHeading),
       table, on_page};
   if (table.rows.empty()) parts.emplace_back(line("  none"));
@@ -227,6 +230,15 @@ json plane_json(const PlaneShapes& plane) {
 // 0 instead of a value that is written as 0.0000, so that it has no sign.
 double without_round_off(double value) { return std::abs(value) < 5e-5 ? 0.0 : value; }
 
+// What a mode is divided by in the table: 1, or the largest deflection of a mode that has nearly a
+// node at the contact.
+double table_scale(const Eigen::VectorXd& shape) {
+  constexpr double kNearNode = 10.0;  // largest deflection over the deflection at the contact
+  Eigen::Index peak = 0;
+  const double largest = shape.cwiseAbs().maxCoeff(&peak);
+  return largest > kNearNode ? shape[peak] : 1.0;
+}
+
 // One column per mode: its frequency at rest, then its value at each station. In JSON the stations
 // at the place, if there is one.
 std::vector<Part> plane_parts(const std::string& title, const std::string& place,
@@ -237,13 +249,18 @@ std::vector<Part> plane_parts(const std::string& title, const std::string& place
   add({.key = "kind", .seen = result::kJson}, [](auto& s) { return Item{to_string(s.kind)}; });
   add({"name", "station", -20}, [](auto& s) { return Item{s.name}; });
   add({"z", "z / mm", 10}, [](auto& s) { return number(s.z, 5, kMilli); });
-  for (Eigen::Index j = 0; j < plane.frequency.size(); ++j)
-    column_adder(table, plane.at_stations.col(j))(
+  for (Eigen::Index j = 0; j < plane.frequency.size(); ++j) {
+    const Eigen::VectorXd shown = plane.at_stations.col(j) / table_scale(plane.shape.col(j));
+    column_adder(table, shown)(
         {"", fmt::format("{:.5g} Hz", plane.frequency[j] * kHz), 13,
          j < kColumns ? result::kPeople : result::kPage},
         [](double value) { return Item{.text = fmt::format("{:.4f}", without_round_off(value))}; });
+  }
   std::vector<Part> parts{
-      line("\nmode shapes at rest, 1 at the contact or at the peak, " + title, Role::kHeading),
+      line("\nmode shapes at rest, scaled to 1 at the contact (to a peak of 1 if the contact is "
+           "near a node), " +
+               title,
+           Role::kHeading),
       table};
   const Eigen::Index left = plane.frequency.size() - kColumns;
   if (left > 0) {
@@ -287,21 +304,55 @@ Item stable_item(const rub::Stability& stability, const std::string& more = "") 
           stability.stable ? Tone::kGood : Tone::kBad};
 }
 
+// Marks the rows of rubs whose whirl is faster than the modes kept.
+void mark_above_modes(Table& table, const auto& rubs, const RubAnalysis& analysis) {
+  for (std::size_t k = 0; k < rubs.size(); ++k) {
+    if (analysis.is_above_modes(rubs[k].rub.whirl)) table.rows[k].lead = "* ";
+  }
+}
+
+// A sentence on the marked rubs, without a full stop; empty if none is marked.
+std::string above_modes_note(const RubAnalysis& analysis) {
+  std::vector<double> whirls;
+  const auto look_at = [&](const auto& rubs) {
+    for (const auto& r : rubs) {
+      if (analysis.is_above_modes(r.rub.whirl)) whirls.push_back(r.rub.whirl);
+    }
+  };
+  look_at(analysis.point.rubs);
+  look_at(analysis.rolling);
+  if (whirls.empty()) return "";
+  const double highest = whirls.front() < 0.0 ? analysis.band->backward : analysis.band->forward;
+  return whirls.size() > 1
+             ? fmt::format(
+                   "the whirls of the rubs marked * are faster than the highest mode kept "
+                   "({} rad/s), so their forces are not reliable; raise rotor.modes and "
+                   "compare",
+                   grouped(highest))
+             : fmt::format(
+                   "the whirl of the rub marked * ({} rad/s) is faster than the highest "
+                   "mode kept ({} rad/s), so its force is not reliable; raise rotor.modes "
+                   "and compare",
+                   grouped(std::abs(whirls.front())), grouped(highest));
+}
+
 Table rubs_table(const std::vector<StandingRub>& rubs) {
   Table table{.place = "rubs/#/{column}"};
   const auto add = column_adder(table, rubs);
   add({"kind", "rub", -12}, [](auto& r) { return Item{rub::to_string(r.rub.kind)}; });
   // On a page in Hz.
-  const auto add_speed = [&](const char* key, const char* in_si, const char* in_hz, int digits,
+  const auto add_speed = [&](const char* key, const char* in_si, const char* in_hz, int width,
                              const auto& speed) {
-    add({key, in_si, 14, result::kNotPage}, [&](auto& r) { return number(speed(r), digits); });
-    add({"", in_hz, 14, result::kPage}, [&](auto& r) { return number(speed(r), digits, kHz); });
+    add({key, in_si, width, result::kNotPage}, [&](auto& r) { return Item{speed(r)}; });
+    add({"", in_hz, width, result::kPage},
+        [&](auto& r) { return Item{.text = short_number(speed(r) * kHz)}; });
   };
-  add_speed("whirl", "whirl rad/s", "whirl / Hz", 7, [](auto& r) { return r.rub.whirl; });
-  add({"normal_force", "force / N", 14}, [](auto& r) { return number(r.rub.normal_force, 7); });
-  add({"friction", "friction", 12}, [](auto& r) { return number(r.rub.friction, 5); });
-  add({"growth_rate", "growth 1/s", 14}, [](auto& r) { return number(r.stability.growth, 4); });
-  add_speed("frequency", "at rad/s", "at / Hz", 6, [](auto& r) { return r.stability.frequency; });
+  add_speed("whirl", "whirl rad/s", "whirl / Hz", 13, [](auto& r) { return r.rub.whirl; });
+  add({"normal_force", "force / N", 12}, [](auto& r) { return Item{r.rub.normal_force}; });
+  add({"friction", "friction/normal", 17}, [](auto& r) { return number(r.rub.friction, 4); });
+  add({"growth_rate", "growth 1/s", 12}, [](auto& r) { return Item{r.stability.growth}; });
+  add_speed("frequency", "oscillates at rad/s", "oscillates at / Hz", 21,
+            [](auto& r) { return r.stability.frequency; });
   add({"stable"}, [](auto& r) {
     return stable_item(r.stability, r.rub.ring_speed == 0.0
                                         ? ""
@@ -355,6 +406,7 @@ std::vector<Part> driven_parts(const RubAnalysis& analysis) {
   rubs.resize(analysis.driven.size());
   for (std::size_t k = 0; k < rubs.size(); ++k) rubs[k].stability = analysis.driven[k];
   Table driven = rubs_table(rubs);
+  mark_above_modes(driven, rubs, analysis);
   driven.place = "driven/#/{column}";
   for (result::Column& column : driven.columns) {
     column.title = std::exchange(column.heading, "");
@@ -364,13 +416,15 @@ std::vector<Part> driven_parts(const RubAnalysis& analysis) {
   Table rolling{.place = "driven_rolling/#/{column}"};
   const auto add = column_adder(rolling, analysis.rolling);
   add({"speed", "spin rad/s", 12}, [](auto& r) { return number(r.speed, 6); });
-  add({"whirl", "whirl rad/s", 14}, [](auto& r) { return number(r.rub.whirl, 7); });
-  add({"normal_force", "force / N", 14}, [](auto& r) { return number(r.rub.normal_force, 7); });
-  add({"friction", "friction", 12}, [](auto& r) { return number(r.rub.friction, 5); });
-  add({"torque", "torque / Nm", 12}, [](auto& r) { return number(r.torque, 5); });
-  add({"growth_rate", "growth 1/s", 12}, [](auto& r) { return number(r.stability.growth, 4); });
-  add({"frequency", "at rad/s", 12}, [](auto& r) { return number(r.stability.frequency, 6); });
+  add({"whirl", "whirl rad/s", 13}, [](auto& r) { return Item{r.rub.whirl}; });
+  add({"normal_force", "force / N", 12}, [](auto& r) { return Item{r.rub.normal_force}; });
+  add({"friction", "friction/normal", 17}, [](auto& r) { return number(r.rub.friction, 4); });
+  add({"torque", "torque / Nm", 12}, [](auto& r) { return Item{r.torque}; });
+  add({"growth_rate", "growth 1/s", 12}, [](auto& r) { return Item{r.stability.growth}; });
+  add({"frequency", "oscillates at rad/s", 21},
+      [](auto& r) { return Item{r.stability.frequency}; });
   add({"stable"}, [](auto& r) { return stable_item(r.stability); });
+  mark_above_modes(rolling, analysis.rolling, analysis);
   // Without rows, an empty list in JSON alone.
   rolling.seen = analysis.rolling.empty() ? result::kJson : result::kAll;
   std::vector<Part> parts;
@@ -432,6 +486,7 @@ Section modes_result(const std::string& name, const RotorAnalysis& analysis) {
   Sentence head = line(fmt::format("{}: whirl of the free rotor", name));
   head.seen = result::kTerminal;
   Section all{.parts = {std::move(head)}};
+  all.add(summary_parts(analysis));
   for (std::size_t k = 0; k < analysis.spectra.size(); ++k) all.add({speed_section(analysis, k)});
   all.add(torsion_parts(analysis));
   all.add(critical_parts(analysis));
@@ -447,15 +502,14 @@ std::string stability_text(const RotorAnalysis& analysis) {
     std::vector<std::string> ranges;
     for (const auto& [from, to] : analysis.unstable) {
       ranges.push_back(std::isinf(to)
-                           ? fmt::format("above {:.7g} rad/s ({:.7g} rpm)", from, from * kRpm)
-                           : fmt::format("from {:.7g} to {:.7g} rad/s ({:.7g} to {:.7g} rpm)", from,
-                                         to, from * kRpm, to * kRpm));
+                           ? "above " + speed_text(from)
+                           : fmt::format("from {} to {} rpm ({} to {} rad/s)", grouped(from * kRpm),
+                                         grouped(to * kRpm), grouped(from), grouped(to)));
     }
     return fmt::format("unstable {}", fmt::join(ranges, " and "));
   }
   if (std::isinf(analysis.stability_bound)) return "stable at all speeds";
-  return fmt::format("stable up to {:.5g} rad/s ({:.5g} rpm)", analysis.stability_bound,
-                     analysis.stability_bound * kRpm);
+  return "stable up to " + speed_text(analysis.stability_bound);
 }
 
 Section rub_point_result(const RubPoint& point) {
@@ -471,25 +525,28 @@ Section rub_result(const RubAnalysis& analysis) {
   Table ring = whirl_table("ring", analysis.ring, name_of),
         joined = whirl_table("joined", analysis.joined, name_of);
   ring.lead = joined.lead = "    ";
-  Section section{
-      .parts = {line(
-          fmt::format("whirl of rotor and ring at {:.6g} rad/s ({:.6g} rpm), with the modes kept",
-                      point.speed, point.speed * kRpm),
-          Role::kHeading)}};
+  Table rubs = rubs_table(point.rubs);
+  mark_above_modes(rubs, point.rubs, analysis);
+  Section section{.parts = {line(fmt::format("whirl of rotor and ring at {}, with the modes kept",
+                                             speed_text(point.speed)),
+                                 Role::kHeading)}};
   if (!analysis.ring.empty()) section.add({line("  ring alone", Role::kCaption)});
   section.add(
       {ring, line("  joined, the rotor's centre fixed to the ring's", Role::kCaption), joined});
   if (analysis.joined.empty()) section.add({line("    nothing can move")});
   section.add(
       {line(
-           fmt::format("\nlasting rubs at {:.6g} rad/s with a friction of {:g}{}", point.speed,
+           fmt::format("\nlasting rubs at {} with a friction of {:g}{}", speed_text(point.speed),
                        mu.sticking(),
                        mu.is_constant()
                            ? ""
                            : fmt::format(" at rest, then {:g} {:+g} exp(-(v / {:g})^2) {:+g} v",
                                          mu.coefficient, mu.excess, mu.stribeck_speed, mu.viscous)),
            Role::kHeading),
-       rubs_table(point.rubs), Data{"left_out", text_or_null(analysis.left_out)}});
+       std::move(rubs), Data{"left_out", text_or_null(analysis.left_out)},
+       Data{"notes", json::array()}});
+  if (const std::string note = above_modes_note(analysis); !note.empty())
+    section.add({Sentence{.text = note, .lead = "  note: ", .indent = 2, .place = "notes/#"}});
   if (!analysis.left_out.empty())
     section.add({Sentence{.text = analysis.left_out, .lead = "  left out: "}});
   section.add(point_parts(point));

@@ -54,6 +54,15 @@ RotorAnalysis analysis_of(const scene::Scene& scene, const std::vector<double>& 
   return analysis;
 }
 
+// With a shaft, the band of the modes kept, beside the rubs at each speed.
+void add_bands(const scene::Scene& scene, RotorAnalysis& analysis) {
+  if (!scene.rotor.geometry) return;
+  for (RubAnalyses& rubs : analysis.rubs) {
+    for (std::size_t k = 0; k < rubs.at.size(); ++k)
+      rubs.at[k].band = mode_band(analysis.spectra[k]);
+  }
+}
+
 // A note is added if twice as many modes change the response by more than this share.
 constexpr double kModesMatter = 0.005;
 
@@ -124,6 +133,7 @@ RotorAnalysis analyse_rotor(const scene::Scene& scene, const std::vector<double>
     const std::vector<double> all = speeds_of(scene, speeds);
     RotorAnalysis analysis = analysis_of(scene, all);
     analysis.rubs = analyse_rubs(scene, all);
+    add_bands(scene, analysis);
     add_response(scene, all, analysis);
     return analysis;
   });

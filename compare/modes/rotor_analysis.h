@@ -9,6 +9,7 @@
 #include "compare/modes/periodic_rubs.h"
 #include "compare/modes/response_text.h"
 #include "compare/modes/rub_analysis.h"
+#include "compare/modes/speed_margin.h"
 #include "native_model/linear/campbell.h"
 #include "native_model/linear/levitation.h"
 #include "native_model/linear/mode_shapes.h"
@@ -45,6 +46,8 @@ struct RotorAnalysis {
   // At the same speeds, for the kept modes; empty without a controlled magnetic bearing.
   std::vector<Levitation> levitations;
   std::optional<ContactMass> contact_mass;  // only in geometry form with a contact
+  // Only if asked for, because it takes the response over the speed.
+  std::optional<SpeedMargin> margin;
 };
 
 // speeds: rad/s, either sign; if empty, the scene's rotor.speed. Throws scene::SceneError for a

@@ -103,7 +103,7 @@ RubAnalyses rubs_of_contact(scene::Scene scene, const std::vector<double>& speed
         }
         all.at.push_back({std::move(point), std::move(driven), rolling,
                           whirls(rub::ring_eigenvalues(turning)),
-                          whirls(rub::joined_eigenvalues(turning)), left_out});
+                          whirls(rub::joined_eigenvalues(turning)), left_out, std::nullopt});
       }
     });
   } catch (const scene::SceneError& error) {

@@ -2,9 +2,11 @@
 // rubs at a spin speed with the scene's friction, for the kept modes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "compare/metrics/above_modes.h"
 #include "native_model/linear/campbell.h"
 #include "native_model/linear/driven_rub.h"
 #include "native_model/linear/rub_map.h"
@@ -21,6 +23,10 @@ struct RubAnalysis {
   std::vector<WhirlMode> ring;    // of the ring alone; empty for a fixed ring
   std::vector<WhirlMode> joined;  // rotor centre coupled to the ring centre, as in rolling contact
   std::string left_out;  // a sentence on what the analysis leaves out of the scene; may be empty
+  std::optional<ModeBand> band;  // of the modes kept at this speed; geometry form only
+  // Whether a whirl (rad/s) is faster than the modes kept, so that its force depends on their
+  // number.
+  bool is_above_modes(double whirl) const { return band && is_above(*band, whirl); }
 };
 
 struct RubAnalyses {

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -72,6 +73,16 @@ std::vector<NamedPoint> rows_of(const RubBranch& branch) {
   return rows;
 }
 
+// The value of a point. A branch ends next to an end of the range, which is meant.
+double shown_value(const MapAxis& axis, double value) {
+  constexpr double kBeside = 1e-4;  // of the range
+  const auto [low, high] = std::ranges::minmax(axis.values);
+  for (const double end : {low, high}) {
+    if (std::abs(value - end) <= kBeside * (high - low)) return end;
+  }
+  return value;
+}
+
 result::Table branch_table(const RubBranches& all, const RubBranch& branch) {
   result::Table table;
   const std::vector<NamedPoint> rows = rows_of(branch);
@@ -82,7 +93,7 @@ result::Table branch_table(const RubBranches& all, const RubBranch& branch) {
   };
   const std::string key = name_and_unit(all.across.key, unit.name);
   add({.heading = key, .width = std::max(12, static_cast<int>(key.size()) + 2)},
-      [&](auto& r) { return number(r.at->value, 7, unit.per_si); });
+      [&](auto& r) { return number(shown_value(all.across, r.at->value), 7, unit.per_si); });
   add({.heading = "  point", .width = -18}, [](auto& r) { return Item{.text = "  " + r.point}; });
   add({.heading = "periodic rub", .width = -19},
       [](auto& r) { return Item{.text = r.at->rub.kind}; });
@@ -120,7 +131,7 @@ result::Section rub_branches_result(const std::string& name, const RubBranches& 
     section.add({line("\n" + title_of(all, branch, k + 1), Role::kCaption),
                  branch_table(all, branch),
                  result::Sentence{
-                     .text = fmt::format("from: {}; ends: {}; {}", fmt::join(branch.starts, ", "),
+                     .text = fmt::format("start: {}; ends: {}; {}", fmt::join(branch.starts, ", "),
                                          branch.first_end, branch.last_end),
                      .lead = "    "}});
   }

@@ -34,7 +34,7 @@ constexpr UnitChange kUs[] = {{"mm/s", "in/s", 1e-3 / kInch},
                               {"J", "in lbf", 1.0 / (kInch * kPoundForce)},
                               {"kg", "lb", 1.0 / kPound},
                               {"µm", "mil", 1e-6 / kMil},
-                              {"mm", "mil", 1e-3 / kMil},
+                              {"mm", "in", 1e-3 / kInch},
                               {"m", "in", 1.0 / kInch}};
 
 std::span<const UnitChange> changes(Units units) {

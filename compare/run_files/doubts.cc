@@ -7,6 +7,7 @@
 
 #include "native_model/scene/record.h"
 #include "native_model/trajectory/columns.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub {
 namespace {
@@ -98,6 +99,39 @@ void doubt_saturation(const scene::Scene& scene, const Trajectory& run,
   }
 }
 
+// Reports lengths that do not fit the shaft, probably given in millimetres without a unit.
+void doubt_lengths(const scene::Scene& scene, std::vector<std::string>& all) {
+  const scene::RotorGeometry& shaft = *scene.rotor.geometry;
+  const auto look_at = [&](const std::string& key, double length, double most) {
+    if (length <= most * shaft.length) return;
+    all.push_back(fmt::format(
+        "{} = {:.4g} m is larger than {}rotor.length = {:.4g} m (a unit may be "
+        "missing: \"{:.4g} mm\")",
+        key, length, most > 1.0 ? fmt::format("{:g} times ", most) : "", shaft.length, length));
+  };
+  if (shaft.length > kLongestShaft) {
+    all.push_back(fmt::format(
+        "rotor.length = {0:.4g} m is longer than any shaft (a unit may be missing: \"{0:.4g} mm\")",
+        shaft.length));
+  }
+  for (std::size_t i = 0; i < shaft.sections.size(); ++i) {
+    const std::string section = scene::list_element("rotor.section", i);
+    look_at(section + ".diameter", shaft.sections[i].diameter, 1.0);
+    look_at(section + ".end_diameter", shaft.sections[i].end_diameter.value_or(0.0), 1.0);
+  }
+  for (std::size_t i = 0; i < shaft.discs.size(); ++i) {
+    const std::string disc = scene::list_element("rotor.disc", i);
+    look_at(disc + ".diameter", shaft.discs[i].diameter.value_or(0.0), kWidestDisc);
+    look_at(disc + ".thickness", shaft.discs[i].thickness.value_or(0.0), 1.0);
+  }
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    if (!scene.auxiliary[k].contact) continue;
+    const bool several = scene.auxiliary.size() > 1;
+    look_at((several ? scene.name_of(k) + ": " : "") + "contact.radius",
+            scene.auxiliary[k].contact->radius, kWidestDisc);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> doubts(const scene::Scene& scene) {
@@ -129,6 +163,7 @@ std::vector<std::string> doubts(const scene::Scene& scene) {
   }
   doubt_instants(scene, all);
   if (!scene.rotor.geometry) return all;
+  doubt_lengths(scene, all);
   if (speed > 0.0) doubt_tables(*scene.rotor.geometry, scene.rotor.speed, all);
   if (scene.rotor.geometry->E < kSoftestShaft) {
     all.push_back(fmt::format("rotor.E = {:.4g} Pa is softer than any metal (steel: \"210 GPa\")",
@@ -136,9 +171,11 @@ std::vector<std::string> doubts(const scene::Scene& scene) {
   }
   for (const scene::Disc& disc : scene.rotor.geometry->discs) {
     if (disc.eccentricity <= kMostEccentricity) continue;
-    all.push_back(fmt::format(
-        "rotor.disc.eccentricity = {:.4g} m at z = {:.4g} m; balanced discs have some micrometres",
-        disc.eccentricity, disc.z));
+    all.push_back(
+        fmt::format("rotor.disc.eccentricity = {0:.4g} m at z = {1:.4g} m; balanced discs have "
+                    "some micrometres "
+                    "(a unit may be missing: \"{0:.4g} µm\")",
+                    disc.eccentricity, disc.z));
   }
   return all;
 }

@@ -148,7 +148,7 @@ std::vector<result::Part> opening(const scene::Scene& scene, const Trajectory& t
 }
 
 result::Table figures_table(const Metrics& m, const Trajectory& t) {
-  result::Table table{.columns = {{"", "", -26}, {"", "", 9}}};
+  result::Table table{.columns = {{"", "", -29}, {"", "", 9}}};
   const auto add = [&](const std::string& label, const std::string& value) {
     table.rows.push_back({.items = {{label}, {value}}});
   };
@@ -162,7 +162,7 @@ result::Table figures_table(const Metrics& m, const Trajectory& t) {
   }
   add("settles to", to_string(m.settled.attractor));
   add("steps", fmt::format("{}", t.steps));
-  add("time of a step, µs", short_number(m.us_per_step));
+  add("computing time per step, µs", short_number(m.us_per_step));
   return table;
 }
 
@@ -217,14 +217,14 @@ std::vector<result::Part> contacts_table(const scene::Scene& scene, const Trajec
 }
 
 // Notes if the omitted modes affect the effective mass of rigid impacts, or if the whirl is faster
-// than the modes can follow.
+// than the modes can follow. touched: whether the rotor touches the ring in the run.
 std::vector<result::Part> mode_notes(const std::optional<ContactMass>& mass,
-                                     const std::optional<AboveModes>& above) {
+                                     const std::optional<AboveModes>& above, bool touched) {
   std::vector<result::Part> notes;
   const auto add = [&](std::string text) {
     notes.emplace_back(result::Sentence{std::move(text), "  note: ", 2});
   };
-  if (mass && mass->truncated()) {
+  if (mass && mass->truncated() && touched) {
     add(fmt::format(
         "the effective mass at the contact is {} kg with {} of the shaft's modes, and {} kg with "
         "all "
@@ -301,7 +301,7 @@ result::Section run_result(const scene::Scene& scene, const Trajectory& t) {
   }
   told.add({figures_table(m, t)});
   told.add(contacts_table(scene, t));
-  told.add(mode_notes(mass, above));
+  told.add(mode_notes(mass, above, m.first_touch.has_value()));
   return told;
 }
 

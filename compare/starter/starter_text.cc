@@ -90,13 +90,14 @@ std::string head(const Starter& starter) {
 std::string run_table(const StarterSizes& s) {
   return "[run]\n" + value("end", s.end, "s") +
          value("step", s.step,
-               "s, of MuJoCo and of `--integrator verlet`; the default, event, has none") +
+               "s, fixed step of MuJoCo and `verlet`; `event`, the default, chooses its own") +
          "\n";
 }
 
 std::string sleeve(double station, const StarterSizes& s) {
-  return "\n[[rotor.disc]]                # the sleeve at the contact: without a mass a rigid "
-         "impact has no limit\n" +
+  return "\n[[rotor.disc]]                # the sleeve at the contact; without a mass there, the "
+         "size of rigid\n                              # impacts does not converge with the number "
+         "of modes\n" +
          value("z", station, "m") + value("mass", s.sleeve_mass, "kg") +
          value("Jt", s.sleeve_Jt, "") + value("Jp", s.sleeve_Jp, "");
 }
@@ -107,7 +108,7 @@ std::string journal(double station, const StarterSizes& s, bool first) {
                first ? "N/m; [x, y] where the planes differ" : "N/m") +
          (first
               ? "# damping = 100                # N s/m; oil films: cross_stiffness, table_speed; "
-                "out of line: offset\n"
+                "misalignment: offset\n"
               : "");
 }
 
@@ -131,7 +132,7 @@ std::string shaft(const Starter& starter, const StarterSizes& s) {
   const bool levitates = starter.form == StarterForm::kTwoCatchers;
   return "[rotor]\n" +
          value("speed", written(starter.speed),
-               rig ? "of the spin at t = 0" : "of the spin; held, as there is no [drive]") +
+               rig ? "spin speed at t = 0" : "spin speed; constant without a [drive]") +
          value("length", written(starter.length), "of the shaft; stations count from its end") +
          value("E", "\"210 GPa\"", "steel") + value("nu", "0.3", "") +
          value("theory", "\"timoshenko\"", "beam with shear deformation; or \"euler-bernoulli\"") +
@@ -161,7 +162,7 @@ std::string shaft(const Starter& starter, const StarterSizes& s) {
 
 std::string one_mode(const Starter& starter, const StarterSizes& s) {
   return "[rotor]\n" +
-         value("speed", written(starter.speed), "of the spin; held, as there is no [drive]") +
+         value("speed", written(starter.speed), "spin speed; constant without a [drive]") +
          fmt::format(
              "\n# A disc of {} in the middle of a steel shaft, {} long and {} in diameter: 48 E I "
              "/ L^3, the mass "
@@ -200,11 +201,13 @@ std::string load(const Starter& starter, const StarterSizes& s) {
   const std::string moment = starter.unbalance && s.load == starter.unbalance->value
                                  ? written(*starter.unbalance)
                                  : number(s.load);
-  return fmt::format("[[force]]                     # the blade: a free orbit of {} clearances\n",
-                     scene::number_text(s.load_orbit, 2)) +
+  return fmt::format(
+             "[[force]]                     # the lost blade; alone, without the ring, it "
+             "makes an orbit of {} clearances\n",
+             scene::number_text(s.load_orbit, 2)) +
          value("kind", "\"unbalance\"", "") +
          value("static_moment", moment, "mass of the lost part times its radius, kg m") +
-         value("on", s.on, "s, when it goes") +
+         value("on", s.on, "s, time of the loss") +
          (modal ? "" : value("station", s.disc_station, "m")) + "\n";
 }
 

@@ -135,9 +135,10 @@ void find_rows(const scene::Run& run, const Model& model, const std::vector<doub
 void check_size(const scene::Scene& scene, int nq) {
   if (nq <= kMaxCoordinates) return;
   scene::refuse_at(scene, modes_key(scene.rotor),
-                   "gives " + std::to_string(nq) + " coordinates or more; the limit is " +
+                   "is too large: " + std::to_string(nq) +
+                       " coordinates or more, two for each bending mode; the limit is " +
                        std::to_string(kMaxCoordinates) +
-                       ", of bending modes in both planes, torsion modes, spin and ring");
+                       " in all (bending, torsion, spin and ring)");
 }
 
 void check_unbalances(const scene::Scene& scene, std::size_t count) {

@@ -224,16 +224,16 @@ SettledMotion settled_motion(const Model& m, const State& start, const SettlingP
     }
     if (check.at(now, p.duration)) return check.take();
   }
-  std::string why = "no periodic motion was found in " + in_seconds(run.now()) + " of the run";
+  std::string why = "no periodic motion after " + in_seconds(run.now());
   if (std::isfinite(check.nearest())) {
     std::string nearest = std::to_string(100.0 * check.nearest());
     nearest.resize(nearest.find('.') + 3);
-    why += ", which comes back to within " + nearest + " % after at most " +
-           std::to_string(p.most_periods) + (p.most_periods == 1 ? " period" : " periods");
+    why += " (the run repeats to within " + nearest + " % over at most " +
+           std::to_string(p.most_periods) + (p.most_periods == 1 ? " period)" : " periods)");
   } else if (!check.why().empty()) {
-    why += ": " + check.why();
+    why += " (" + check.why() + ")";
   }
-  if (check.is_exhausted()) why += "; the search ended at its limit of effort";
+  if (check.is_exhausted()) why += ", when the search reached its limit of effort";
   SettledMotion none = refused(why);
   none.last = state_of(m, run);
   return none;

@@ -26,8 +26,10 @@ std::pair<double, double> supports(const scene::RotorGeometry& geometry, int pla
   if (first < last) return {first, last};
   throw scene::SceneError(
       {{"", 0, "rotor.bearing",
-        std::string("leaves the shaft free to move as a rigid body in plane ") +
-            (plane == 0 ? "x" : "y") +
+        (geometry.bearings.empty()
+             ? std::string("no bearing supports the shaft")
+             : std::string("leaves the shaft free to move as a rigid body in plane ") +
+                   (plane == 0 ? "x" : "y")) +
             "; give bearings with stiffness > 0 at two stations or more, or at one beside a "
             "[magnetic_bearing] with a control, or two such magnetic bearings"}});
 }

@@ -153,6 +153,21 @@ void Reading::find_form(const Spot& rotor) {
   }
 }
 
+// Whether the file has tables below [rotor] alone.
+bool Reading::is_missing_rotor(const Table& table, const Spot& here) const {
+  return table.path == "rotor" && form_ == Form::kGeometry &&
+         std::ranges::none_of(table.keys,
+                              [&](const Key& key) { return here.node.find(key.name) != nullptr; });
+}
+
+// One error instead of one for each required key.
+void Reading::refuse_missing_rotor(const Table& table, const Spot& here) {
+  note(here, false);
+  for (const Key& key : table.keys) record_->note_missing(here.path + "." + std::string(key.name));
+  refuse(here, "the table [rotor] is missing; it has at least length, E, rho and modes");
+  read_below(table, {}, here);
+}
+
 void Reading::refuse_unknown(const Table* own, const Spot& here) {
   std::vector<std::string_view> known;
   if (own != nullptr) {
@@ -237,6 +252,7 @@ void Reading::read_object(const Table& table, const Spot& here) {
   if (table.any_key) return read_any(table, here);
   refuse_unknown(&table, here);
   if (table.path == "rotor") find_form(here);
+  if (is_missing_rotor(table, here)) return refuse_missing_rotor(table, here);
   const std::string_view kind = kind_of(table, here.node);
   void* object = table.object != nullptr ? table.object(scene_) : &rules_.emplace_back();
   for (const Key& key : table.keys) {

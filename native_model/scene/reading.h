@@ -80,6 +80,8 @@ class Reading {
   bool refuse(const Spot& here, std::string reason);
 
   void find_form(const Spot& rotor);
+  bool is_missing_rotor(const Table& table, const Spot& here) const;
+  void refuse_missing_rotor(const Table& table, const Spot& here);
   void refuse_unknown(const Table* table, const Spot& here);
   // Reads the table at `node`, or each element of its list.
   void read_table(const Table& table, const Spot& here);

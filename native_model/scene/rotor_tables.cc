@@ -267,7 +267,7 @@ std::vector<Table> rotor_tables() {
 
 void check_rotor(Reading& check) {
   const Rotor& rotor = check.scene.rotor;
-  if (rotor.geometry && rotor.modal) return;  // already refused
+  if ((rotor.geometry && rotor.modal) || !check.sound({"rotor"})) return;  // already refused
   if (rotor.geometry) check_geometry(check, *rotor.geometry);
   if (rotor.modal) check_modal(check, *rotor.modal);
   if (rotor.modal && rotor.torsion) check_modal_torsion(check);

@@ -134,9 +134,22 @@ std::string dotted_key(const std::vector<std::string>& lines, std::size_t index)
   return path + (list ? "[" + std::to_string(same) + "]." : ".") + key;
 }
 
-// A hint for the two most common mistakes, 0.5 mm and linear without quotes.
+// The number of a value "0,15", with a decimal point; empty for other values.
+std::string with_decimal_point(std::string_view value) {
+  constexpr std::string_view kDigits = "0123456789";
+  const std::size_t comma = value.find_first_not_of(kDigits, value.starts_with('-') ? 1 : 0);
+  if (comma == std::string_view::npos || comma == 0 || value[comma] != ',') return {};
+  const std::string_view rest = value.substr(comma + 1);
+  const std::size_t length = std::min(rest.find_first_not_of(kDigits), rest.size());
+  if (length == 0) return {};
+  return std::string(value.substr(0, comma)) + "." + std::string(rest.substr(0, length));
+}
+
+// A hint for the most common mistakes: 0,15, and 0.5 mm and linear without quotes.
 std::string hint(std::string_view line) {
   const std::string_view value = trimmed(line.substr(line.find('=') + 1));
+  if (const std::string number = with_decimal_point(value); !number.empty())
+    return "; write a decimal point: " + number;
   const bool letters =
       std::any_of(value.begin(), value.end(), [](unsigned char c) { return std::isalpha(c); });
   if (!letters || value.find_first_of("\"'[{") != std::string::npos) return {};

@@ -9,7 +9,9 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "native_model/scene/diagnostic.h"
 #include "native_model/scene/text.h"
 
 namespace rotorub::scene {
@@ -184,7 +186,8 @@ class UnitParser {
     const auto* found = std::find_if(kUnits.begin(), kUnits.end(),
                                      [&](const NamedUnit& unit) { return unit.name == name; });
     if (found == kUnits.end()) {
-      fail(name.empty() ? "a unit is missing" : "unknown unit '" + printable(name) + "'");
+      fail(name.empty() ? "a unit is missing"
+                        : "unknown unit '" + printable(name) + "' (all units: mjcf/README.md)");
       return {};
     }
     rest_.remove_prefix(name.size());
@@ -210,32 +213,44 @@ class UnitParser {
   std::string error_;
 };
 
-// Words that are not units, and the units that they probably mean.
+// Words that are not units, in lower case, and the units that they probably mean.
 struct Meant {
   std::string_view word, unit;
 };
 constexpr auto kMeant = std::to_array<Meant>({
-    {"lbs", "lb"},
-    {"lbm", "lb"},
-    {"inch", "in"},
-    {"oz-in", "oz in"},
-    {"ozin", "oz in"},
-    {"lb-in", "lb in"},
-    {"in-lb", "in lb"},
-    {"lb-ft", "lb ft"},
-    {"ft-lb", "ft lb"},
-    {"N-m", "N m"},
-    {"g-mm", "g mm"},
+    {"lbs", "lb"},        {"lbm", "lb"},        {"inch", "in"},        {"oz-in", "oz in"},
+    {"ozin", "oz in"},    {"lb-in", "lb in"},   {"in-lb", "in lb"},    {"lb-ft", "lb ft"},
+    {"ft-lb", "ft lb"},   {"n-m", "N m"},       {"g-mm", "g mm"},      {"meter", "m"},
+    {"metre", "m"},       {"centimeter", "cm"}, {"centimetre", "cm"},  {"millimeter", "mm"},
+    {"millimetre", "mm"}, {"micrometer", "um"}, {"micrometre", "um"},  {"micron", "um"},
+    {"feet", "ft"},       {"second", "s"},      {"millisecond", "ms"}, {"minute", "min"},
+    {"gram", "g"},        {"kilogram", "kg"},   {"tonne", "t"},        {"pound", "lb"},
+    {"newton", "N"},      {"pascal", "Pa"},     {"hertz", "Hz"},       {"radian", "rad"},
+    {"degree", "deg"},    {"percent", "%"},
 });
 
-// The unit meant by such a word. "in3" means in^3.
+bool is_unit(std::string_view word) {
+  return std::ranges::any_of(kUnits, [&](const NamedUnit& unit) { return unit.name == word; });
+}
+
+// The unit or the word above that is spelt most like `word`, whatever its case; empty if none is.
+std::string_view like_a_unit(std::string_view word) {
+  std::vector<std::string_view> names;
+  for (const NamedUnit& unit : kUnits) names.push_back(unit.name);
+  for (const Meant& meant : kMeant) names.push_back(meant.word);
+  return nearest(word, names);
+}
+
+// The unit meant by such a word, or by a unit in the wrong case or misspelt. "in3" means in^3.
 std::string meant_word(std::string_view word) {
-  for (const Meant& meant : kMeant) {
-    if (meant.word == word) return std::string(meant.unit);
-  }
+  if (is_unit(word)) return std::string(word);
   const bool powered = word.size() > 1 && (word.back() == '2' || word.back() == '3');
-  if (!powered) return std::string(word);
-  return std::string(word.substr(0, word.size() - 1)) + "^" + word.back();
+  if (powered) return meant_word(word.substr(0, word.size() - 1)) + "^" + word.back();
+  const std::string_view like = like_a_unit(word);
+  for (const Meant& meant : kMeant) {
+    if (meant.word == like) return std::string(meant.unit);
+  }
+  return std::string(like.empty() ? word : like);
 }
 
 std::string pound_as_force(std::string_view word) {
@@ -306,6 +321,11 @@ ParsedQuantity parse_quantity(std::string_view text, const Quantity& quantity) {
   if (status != std::errc()) return {0.0, expected + ": out of the range of a double"};
   const std::string_view written = rest.substr(0, static_cast<std::size_t>(end - rest.data()));
   rest.remove_prefix(written.size());
+
+  if (rest.size() > 1 && rest[0] == ',' && rest[1] >= '0' && rest[1] <= '9') {
+    return {0.0, expected + "; write a decimal point: " +
+                     printable(std::string(written) + "." + std::string(rest.substr(1)))};
+  }
 
   // The unit.
   if (trimmed(rest).empty()) return {number, {}};

@@ -30,7 +30,7 @@ struct Quantity {
 inline constexpr Quantity kPure{"a pure number", "1", "no unit, or %", {}};
 inline constexpr Quantity kAngle{"an angle", "rad", "rad, deg", {0, 0, 0, 0, 1}};
 inline constexpr Quantity kTime{"a time", "s", "s, ms, us", {0, 0, 1, 0, 0}};
-inline constexpr Quantity kLength{"a length", "m", "m, mm, um", {1, 0, 0, 0, 0}};
+inline constexpr Quantity kLength{"a length", "m", "m, mm, um, in, mil, cm", {1, 0, 0, 0, 0}};
 inline constexpr Quantity kMass{"a mass", "kg", "kg, g", {0, 1, 0, 0, 0}};
 inline constexpr Quantity kSpin{
     "a speed of rotation or a frequency", "rad/s", "rad/s, Hz, rpm", {0, 0, -1, 0, 1}};

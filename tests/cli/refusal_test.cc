@@ -60,6 +60,12 @@ TEST(CliRefusal, OfMoreRowsThanMemoryHolds) {
   }
 }
 
+TEST(CliRefusal, SaysHowToWriteSet) {
+  const Folder folder;
+  folder.refuses({"run", shipped("bench_ring"), "--set", "contact.friction", "0.2"},
+                 {"write --set contact.friction=0.2"});
+}
+
 // The words behind a command, and "own.xml" in the place of what it takes.
 const std::map<std::string, Arguments> kGivenAModel{
     {"run", {"own.xml"}},

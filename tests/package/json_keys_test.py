@@ -60,7 +60,7 @@ class JsonKeys(InAFolder):
         # A figure's line: its name, its unit where it has one, then its values in columns.
         labels = set(re.findall(r"^[* ] ([a-z][^:?\n]*?)(?:, (?:N|N s|J|%|Hz|mm/s|rad/s|µm|ms|ppm|µs))?  +[-\d–]", run + compared, re.M))
         self.assertGreater(len(labels), 15)
-        own = {"steps", "time of a step"}  # of the program, not of the motion
+        own = {"steps", "time of a step", "computing time per step"}  # of the program, not of the motion
         self.assertEqual(sorted(label for label in labels - own if f"**{label}**" not in glossary), [])
         for contact in ("rigid", "coulomb", "cone", "cone-coulomb", "cone-default"):
             self.assertIn(f"`{contact}`", glossary)

@@ -57,6 +57,17 @@ TEST(FullSpectrum, LosesLittleBetweenItsFrequencies) {
   EXPECT_LT(at(s, 80.0), 1e-3) << "the window keeps it together";
 }
 
+// The plain mean of a part of a turn is not 0; without the window's weights it would show as a peak
+// at 0 Hz.
+TEST(FullSpectrum, HasNoPeakAtZeroWithoutWholeTurns) {
+  for (const double frequency : {5.5, -7.3, 60.5}) {
+    const FullSpectrum s =
+        full_spectrum(sampled([=](double t) { return circle(1.0, frequency, t); }), kSampling);
+    EXPECT_NEAR(at(s, 0.0), 0.0, 1e-12) << frequency;
+    EXPECT_GT(at(s, frequency), 0.84) << frequency;
+  }
+}
+
 TEST(FullSpectrum, TakesAnyLength) {
   for (const std::size_t count : {2U, 3U, 7U, 1001U}) {
     const FullSpectrum s =
@@ -81,6 +92,13 @@ TEST(Waterfall, FollowsASweep) {
     const auto peak = std::max_element(row, row + 200) - row;
     EXPECT_NEAR(w.frequency[static_cast<std::size_t>(peak)], -100.0 * w.time[k], 5.1) << k;
   }
+}
+
+TEST(Waterfall, HasNoPeakAtZeroWithoutWholeTurns) {
+  const Waterfall w =
+      waterfall(sampled([](double t) { return circle(1.0, 12.3, t); }), kSampling, 200);
+  for (std::size_t k = 0; k < w.time.size(); ++k)
+    EXPECT_NEAR(w.amplitude[200 * k + 100], 0.0, 1e-12) << w.time[k];
 }
 
 // A fall is a parabola, and so it is between rows that stand 2.5 ms apart.

@@ -179,7 +179,7 @@ TEST(PeriodicRubs, SayWhatARunFromABackwardStartDoesWithoutAPeriod) {
   test::add_rotating_force(scene, 5.0, scene.rotor.speed);
   const PeriodicRubs all = lasting_rubs_by_shooting(scene);
   ASSERT_FALSE(all.without.empty());
-  EXPECT_NE(all.without[0].why.find("; at its end: rolling, whirl -"), std::string::npos)
+  EXPECT_NE(all.without[0].why.find("; at the end: rolling, whirl -"), std::string::npos)
       << all.without[0].why;
 }
 

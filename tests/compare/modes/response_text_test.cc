@@ -72,11 +72,11 @@ TEST(ResponseText, OfSeveralContactsGivesEach) {
   EXPECT_EQ(optimise::figure_value(path, all, false), far["least_gap"].get<double>());
 
   const std::string table = result::text_of(modes_result("two", analysis));
-  const auto near_at = table.find("response at contact \"near\""),
-             far_at = table.find("response at contact \"far\"");
+  const auto near_at = table.find("free orbit at contact \"near\""),
+             far_at = table.find("free orbit at contact \"far\"");
   ASSERT_TRUE(near_at != std::string::npos && far_at != std::string::npos) << table;
-  EXPECT_GT(table.substr(near_at, far_at - near_at).find("it touches"), far_at) << table;
-  EXPECT_NE(table.find("it touches", far_at), std::string::npos) << table;
+  EXPECT_GT(table.substr(near_at, far_at - near_at).find("more than the"), far_at) << table;
+  EXPECT_NE(table.find("more than the", far_at), std::string::npos) << table;
 }
 
 TEST(ResponseText, OfOneContactIsAsItWas) {
@@ -85,7 +85,7 @@ TEST(ResponseText, OfOneContactIsAsItWas) {
   const RotorAnalysis analysis = analysis_of(one.c_str());
   EXPECT_FALSE(result::json_of(modes_result("", analysis))["speeds"][0].contains("contacts"));
   const std::string table = result::text_of(modes_result("one", analysis));
-  EXPECT_NE(table.find("response at the contact: "), std::string::npos) << table;
+  EXPECT_NE(table.find("free orbit at the contact: "), std::string::npos) << table;
 }
 
 // P x + D x' under a force that turns at 200 rad/s: |P + i nu D| F / |m s^2 + k_i D s + k_i P -

@@ -2,10 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
+#include "compare/modes/speed_margin.h"
+#include "compare/modes/summary_text.h"
+#include "compare/starter/starter.h"
+#include "native_model/scene/reader.h"
 #include "tests/support/oracles/shafts.h"
+#include "tests/support/said.h"
 
 namespace rotorub {
 namespace {
@@ -52,13 +59,78 @@ TEST(ModesJson, GivesTheThreshold) {
               result["critical_speeds"][0].get<double>(), 1e-6);
 }
 
-// The terminal lists the critical speeds near the speed of the rotor, the JSON all of them.
+// The terminal lists the first five critical speeds and those near the speed of the rotor, the JSON
+// all of them.
 TEST(ModesTable, CountsTheCriticalSpeedsFarAbove) {
-  const result::Section slow = modes_result("", analyse_rotor(friswell(), {1.0}));
-  EXPECT_EQ(result::json_of(slow).at("critical").size(), 3u);
-  EXPECT_NE(result::text_of(slow).find("and 2 higher critical speeds"), std::string::npos);
-  const std::string fast = result::text_of(modes_result("", analyse_rotor(friswell(), {1e3})));
-  EXPECT_EQ(fast.find("higher critical speed"), std::string::npos) << fast;
+  scene::Scene s = friswell();
+  const std::string few = result::text_of(modes_result("", analyse_rotor(s, {1.0})));
+  EXPECT_EQ(few.find("higher critical speed"), std::string::npos) << "three in all";
+
+  RotorAnalysis analysis = analyse_rotor(s, {1.0});
+  analysis.critical_speeds = {1e3, 2e3, 3e3, 4e3, 5e3, 6e3, 7e3, 8e3};
+  analysis.critical_senses.assign(analysis.critical_speeds.size(), WhirlSense::kForward);
+  const result::Section slow = modes_result("", analysis);
+  EXPECT_EQ(result::json_of(slow).at("critical").size(), 8u);
+  EXPECT_TRUE(test::contains(result::text_of(slow), {"47,750 rpm (5000 rad/s), forward\n",
+                                                     "and 3 higher critical speeds"}));
+  analysis.spectra.front().speed = 2.5e3;
+  const std::string fast = result::text_of(modes_result("", analysis));
+  EXPECT_TRUE(test::contains(fast, {"66,850 rpm (7000 rad/s)", "and 1 higher critical speed,"}));
+}
+
+// The answers stand before the tables: critical speed, free orbit, stable rubs.
+TEST(ModesTable, BeginsWithTheAnswers) {
+  const scene::Scene s = scene::parse_scene(starter_scene({}), "pump.toml", {});
+  RotorAnalysis analysis = analyse_rotor(s, {});
+  const auto first_lines = [&] {
+    // Without the line breaks.
+    std::istringstream words(result::text_of(modes_result("pump", analysis)));
+    std::string text;
+    for (std::string word; words >> word && word != "damping";) text += word + " ";
+    return text;
+  };
+  EXPECT_TRUE(test::contains(first_lines(),
+                             {"The critical speed nearest to 3000 rpm is ",
+                              "The free orbit at the contact, after the loss, reaches ",
+                              "so contact is unavoidable.", "Stable rub", "synchronous rub at "}));
+  EXPECT_EQ(first_lines().find("API 617 requires"), std::string::npos) << "not asked for";
+  analysis.margin = speed_margin(s, analysis.critical_speeds);
+  ASSERT_TRUE(analysis.margin && analysis.margin->required);
+  // A damping ratio of 0.01 is an amplification factor of 50.
+  EXPECT_NEAR(analysis.margin->amplification, 50.0, 0.5);
+  EXPECT_TRUE(test::contains(first_lines(), "API 617 requires"));
+  EXPECT_TRUE(test::contains(first_lines(), "% (AF "));
+}
+
+TEST(ModesTable, WritesLongNumbersInGroups) {
+  EXPECT_EQ(grouped(169987.0), "170,000");
+  EXPECT_EQ(grouped(-41846.01), "-41,850");
+  EXPECT_EQ(grouped(1234567.0), "1,235,000");
+  EXPECT_EQ(grouped(4115.958), "4116");
+  EXPECT_EQ(grouped(0.0), "0");
+}
+
+// A mode with nearly a node at the contact is scaled to its peak: no other value exceeds 1.
+TEST(ModesTable, ScalesAModeWithANodeAtTheContactToItsPeak) {
+  const std::vector<std::string> at_the_node{"contact.station=0.299"};
+  const scene::Scene s = scene::parse_scene(starter_scene({}), "pump.toml", at_the_node);
+  const RotorAnalysis analysis = analyse_rotor(s, {});
+  ASSERT_TRUE(analysis.shapes);
+  double largest = 0.0;
+  for (Eigen::Index j = 0; j < 6; ++j)
+    largest = std::max(largest, analysis.shapes->x.at_stations.col(j).cwiseAbs().maxCoeff());
+  ASSERT_GT(largest, 10.0) << "in the coordinates of a run";
+  const std::string text = result::text_of(modes_result("pump", analysis));
+  const std::size_t from = text.find("mode shapes at rest"), to = text.find("higher modes", from);
+  std::istringstream rows(text.substr(from, to - from));
+  double shown = 0.0;
+  for (std::string line; std::getline(rows, line);) {
+    if (line.size() < 80 || line.find("Hz") != std::string::npos) continue;
+    std::istringstream values(line.substr(line.size() - 6 * 13));
+    for (double value = 0.0; values >> value;) shown = std::max(shown, std::abs(value));
+  }
+  EXPECT_GT(shown, 0.5);
+  EXPECT_LT(shown, 10.0) << text.substr(from, to - from);
 }
 
 TEST(ModesTable, FreeBodyAndBoundedSearch) {
@@ -73,9 +145,9 @@ TEST(ModesTable, FreeBodyAndBoundedSearch) {
   s.rotor.modal->stiffness = {2e5};
   s.rotor.modal->damping = {40.0};
   s.rotor.modal->internal_damping = {1.0};
-  EXPECT_NE(
-      result::text_of(modes_result(s.name, analyse_rotor(s, {}))).find("stable up to 6324.6 rad/s"),
-      std::string::npos);
+  EXPECT_NE(result::text_of(modes_result(s.name, analyse_rotor(s, {})))
+                .find("stable up to 60,400 rpm (6325 rad/s)"),
+            std::string::npos);
   const nlohmann::json result = result::json_of(modes_result("", analyse_rotor(s, {})));
   EXPECT_TRUE(result["stability_threshold"].is_null());
   EXPECT_NEAR(result["stability_bound"].get<double>(), 20.0 * std::sqrt(1e5), 1e-6);
@@ -86,14 +158,14 @@ TEST(ModesTable, SaysWhatTheJsonSays) {
   const std::string stable = result::text_of(modes_result(s.name, analyse_rotor(s, {0.0})));
   EXPECT_NE(stable.find("friswell"), std::string::npos);
   EXPECT_NE(stable.find("backward          86.71405      13.80097"), std::string::npos) << stable;
-  EXPECT_NE(stable.find("86.96099 rad/s (830.4163 rpm)"), std::string::npos) << stable;
+  EXPECT_NE(stable.find("830.4 rpm (86.96 rad/s)"), std::string::npos) << stable;
   EXPECT_NE(stable.find("stable at all speeds"), std::string::npos);
   EXPECT_EQ(stable.back(), '\n');
 
   s.rotor.geometry->internal_damping_ratio = 0.01;
-  EXPECT_NE(
-      result::text_of(modes_result(s.name, analyse_rotor(s, {}))).find("unstable above 86.96"),
-      std::string::npos);
+  EXPECT_NE(result::text_of(modes_result(s.name, analyse_rotor(s, {})))
+                .find("unstable above 830.4 rpm (86.96 rad/s)"),
+            std::string::npos);
 }
 
 // Further keys, which leave the contract's alone.

@@ -129,7 +129,7 @@ TEST(ResultText, UnitsAreChosenForEveryTable) {
   EXPECT_EQ(of(rows, Units::kUs), "  impulse, lbf s    0.4496\n  steps                  7\n");
   const Table columns{.columns = {{"", "station", -9}, {"z", "z / mm", 8}},
                       .rows = {{.items = {{"disc"}, {100.0}}}}};
-  EXPECT_EQ(of(columns, Units::kUs), "  station z / mil\n  disc       3937\n");
+  EXPECT_EQ(of(columns, Units::kUs), "  station  z / in\n  disc      3.937\n");
   EXPECT_EQ(of(columns, Units::kSi), "  station   z / m\n  disc     0.1000\n");
 }
 

@@ -100,6 +100,82 @@ TEST(Doubts, NameAnActuatorAtItsLimit) {
             "since switch-on");
 }
 
+// A shaft of 1.4 m and 90 mm, with one key changed.
+std::vector<std::string> doubts_of_shaft(const std::string& change) {
+  return doubts(scene::parse_scene(R"(
+[run]
+end = 0.1
+[rotor]
+speed = "50 Hz"
+length = "1.4 m"
+E = "210 GPa"
+rho = 7850.0
+nu = 0.3
+modes = 2
+[[rotor.section]]
+from = 0.0
+to = "1.4 m"
+diameter = "90 mm"
+[[rotor.disc]]
+z = 0.7
+diameter = "0.4 m"
+thickness = "50 mm"
+[[rotor.bearing]]
+z = 0.1
+stiffness = 1e7
+[[rotor.bearing]]
+z = 1.3
+stiffness = 1e7
+[contact]
+station = 0.7
+radius = "45 mm"
+clearance = "0.3 mm"
+friction = 0.15
+restitution = 0.5
+)",
+                                   "made.toml", std::vector<std::string>{change}));
+}
+
+// Millimetres written as metres.
+TEST(Doubts, NameALengthWithoutItsUnit) {
+  EXPECT_TRUE(doubts_of_shaft("rotor.disc[0].diameter=\"2 m\"").empty()) << "a flywheel";
+  EXPECT_EQ(only(doubts_of_shaft("rotor.section[0].diameter=\"90\"")),
+            "rotor.section[0].diameter = 90 m is larger than rotor.length = 1.4 m (a unit may be "
+            "missing: \"90 mm\")");
+  EXPECT_EQ(only(doubts_of_shaft("rotor.section[0].end_diameter=80")),
+            "rotor.section[0].end_diameter = 80 m is larger than rotor.length = 1.4 m (a unit may "
+            "be missing: \"80 mm\")");
+  EXPECT_EQ(only(doubts_of_shaft("rotor.disc[0].diameter=400")),
+            "rotor.disc[0].diameter = 400 m is larger than 10 times rotor.length = 1.4 m (a unit "
+            "may be missing: \"400 mm\")");
+  EXPECT_EQ(only(doubts_of_shaft("rotor.disc[0].thickness=\"50\"")),
+            "rotor.disc[0].thickness = 50 m is larger than rotor.length = 1.4 m (a unit may be "
+            "missing: \"50 mm\")");
+  const auto of_radius = doubts_of_shaft("contact.radius=45.0");
+  ASSERT_EQ(of_radius.size(), 2U) << "also for the speed of its surface";
+  EXPECT_EQ(of_radius.back(),
+            "contact.radius = 45 m is larger than 10 times rotor.length = 1.4 m (a unit may be "
+            "missing: \"45 mm\")");
+  EXPECT_TRUE(only(doubts_of_shaft("rotor.disc[0].eccentricity=20.0"))
+                  .ends_with("(a unit may be missing: \"20 µm\")"));
+}
+
+TEST(Doubts, NameAShaftOfAThousandMetres) {
+  const auto of = [](const std::string& length) {
+    return doubts(scene::parse_scene(
+        "[run]\nend = 0.1\n[rotor]\nlength = " + length +
+            "\nE = 2.1e11\nrho = 7850.0\nnu = 0.3\nmodes = 2\n[[rotor.section]]\nfrom = 0.0\nto "
+            "= " +
+            length +
+            "\ndiameter = 0.09\n[[rotor.bearing]]\nz = 0.1\nstiffness = 1e7\n"
+            "[[rotor.bearing]]\nz = 0.3\nstiffness = 1e7\n",
+        "made.toml"));
+  };
+  EXPECT_TRUE(of("1.4").empty());
+  EXPECT_EQ(only(of("1400.0")),
+            "rotor.length = 1400 m is longer than any shaft (a unit may be missing: \"1400 mm\")");
+}
+
 TEST(Doubts, NameEnergyThatDoesNotAddUp) {
   const auto scene = scene_with("\"50 Hz\"", "clearance = \"0.5 mm\"\nfriction = 0.15\n");
   Trajectory run;

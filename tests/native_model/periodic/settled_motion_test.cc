@@ -53,7 +53,7 @@ TEST(SettledMotion, IsSubHarmonicBeyondAPeriodDoubling) {
   once.most_periods = 1;
   const SettledMotion none = settled(scene, once);
   EXPECT_FALSE(none.found()) << "the bounce once a turn is unstable";
-  EXPECT_TRUE(says(none, "after at most 1 period")) << none.refusal;
+  EXPECT_TRUE(says(none, "over at most 1 period")) << none.refusal;
 }
 
 // With little damping a rotor with gyroscopic moments bounces for ever a little above the speeds

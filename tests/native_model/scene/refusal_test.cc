@@ -121,6 +121,21 @@ TEST(Refusal, NamesMissingKeys) {
   });
 }
 
+// One error instead of one for each key that is missing with the table.
+TEST(Refusal, NamesAMissingRotorOnce) {
+  for (const char* more : {"", "[rotor.torsion]\nmodes = 1\n"}) {
+    const std::string text = std::string(
+                                 "[run]\nend = 1\n[[rotor.section]]\nfrom = 0.0\nto = 0.6\n"
+                                 "diameter = 0.02\n[[rotor.disc]]\nz = 0.3\nmass = 2.0\n"
+                                 "Jt = 0.1\nJp = 0.1\n") +
+                             more;
+    const std::string said = test::message_of([&] { parse_scene(text, "made.toml", {}); });
+    EXPECT_EQ(said,
+              "made.toml:3: rotor: the table [rotor] is missing; it has at least length, E, rho "
+              "and modes");
+  }
+}
+
 TEST(Refusal, NamesImpossibleValues) {
   expect_refused({
       {"negative mass", modal("[2.0, 0.8]", "[2.0, -0.8]"), 4, "rotor.modal.mass[1]", "> 0"},

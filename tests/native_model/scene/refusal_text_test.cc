@@ -21,6 +21,8 @@ TEST(Refusal, NamesTheLineOfASyntaxError) {
       {"unit without quotes", modal("\"0.5 mm\"", "0.5 mm"), 8, "contact.clearance", "\"0.5 mm\""},
       {"word without quotes", full("\"linear\"", "linear"), 22, "drive.kind",
        "put a word in quotes"},
+      {"decimal comma", modal("0.15", "0,15"), 9, "contact.friction",
+       "; write a decimal point: 0.15"},
       {"no value", modal("0.15", ""), 9, "contact.friction", "TOML"},
       {"key given twice", modal("friction = 0.15", "friction = 0.15\nfriction = 0.2"), 10,
        "contact.friction", "given twice"},

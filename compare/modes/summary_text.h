@@ -1,0 +1,22 @@
+// The first sentences of `rotorub modes` on the terminal: the answers, before the tables.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/modes/rotor_analysis.h"
+#include "compare/result/result.h"
+
+namespace rotorub {
+
+// For each speed: the nearest critical speed with its margin, the free orbit at each contact
+// against its clearance, and the stable rubs with their forces.
+std::vector<result::Part> summary_parts(const RotorAnalysis& analysis);
+
+// "3600 rpm (377.0 rad/s)". speed: rad/s.
+std::string speed_text(double speed);
+// A number with four significant digits and groups of thousands: "170,000".
+std::string grouped(double value);
+
+}  // namespace rotorub
