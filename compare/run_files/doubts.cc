@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "native_model/scene/record.h"
-#include "native_model/trajectory/columns.h"
 #include "native_model/scene/text.h"
+#include "native_model/trajectory/columns.h"
 
 namespace rotorub {
 namespace {
@@ -109,9 +110,11 @@ void doubt_lengths(const scene::Scene& scene, std::vector<std::string>& all) {
         "missing: \"{:.4g} mm\")",
         key, length, most > 1.0 ? fmt::format("{:g} times ", most) : "", shaft.length, length));
   };
-  if (shaft.length > kLongestShaft) {
+  double thickest = 0.0;  // m
+  for (const auto& section : shaft.sections) thickest = std::max(thickest, section.diameter);
+  if (shaft.length > kLongShaft && shaft.length > kMostSlender * thickest) {
     all.push_back(fmt::format(
-        "rotor.length = {0:.4g} m is longer than any shaft (a unit may be missing: \"{0:.4g} mm\")",
+        "rotor.length = {0:.4g} m is unusually long (a unit may be missing: \"{0:.4g} mm\")",
         shaft.length));
   }
   for (std::size_t i = 0; i < shaft.sections.size(); ++i) {

@@ -18,8 +18,10 @@ inline constexpr double kFastestSurface = 1000.0;  // m/s
 inline constexpr double kMostFriction = 2.0;
 inline constexpr double kSoftestShaft = 1e8;       // Pa
 inline constexpr double kMostEccentricity = 0.01;  // m
-inline constexpr double kLongestShaft = 200.0;     // m
-inline constexpr double kWidestDisc = 10.0;        // diameter, relative to the length of the shaft
+// A shaft is unusually long beyond both: a drill string of 800 m and 0.8 m is not.
+inline constexpr double kLongShaft = 100.0;     // m
+inline constexpr double kMostSlender = 2000.0;  // relative to the largest diameter
+inline constexpr double kWidestDisc = 10.0;     // diameter, relative to the length of the shaft
 // Relative to the length of the run, which may have been shortened.
 inline constexpr double kLateInstant = 10.0;
 // Largest energy error of a native run with fixed steps, relative to its largest energy.

@@ -173,7 +173,7 @@ TEST(Doubts, NameAShaftOfAThousandMetres) {
   };
   EXPECT_TRUE(of("1.4").empty());
   EXPECT_EQ(only(of("1400.0")),
-            "rotor.length = 1400 m is longer than any shaft (a unit may be missing: \"1400 mm\")");
+            "rotor.length = 1400 m is unusually long (a unit may be missing: \"1400 mm\")");
 }
 
 TEST(Doubts, NameEnergyThatDoesNotAddUp) {
