@@ -166,8 +166,8 @@ result::Section model_error_section(const ModelError& error) {
   for (const int n : error.modes)
     table.columns.push_back(
         {"", fmt::format("{}", n), 9, result::kAll, fmt::format("{} modes", n)});
-  table.columns.push_back({"convergence", "  over the modes; off by", 0, result::kAll,
-                           "over the modes, and the error with the scene's modes"});
+  table.columns.push_back({"convergence", "  with more modes; error of those kept", 0, result::kAll,
+                           "with more modes, and the error of the modes kept"});
   table.columns.push_back({"", "left beyond the last", 9, result::kPage});
   std::string left;
   for (const FigureLimit& f : error.figures) {
@@ -193,10 +193,11 @@ result::Section model_error_section(const ModelError& error) {
   }
   section.add({std::move(table)});
   if (!left.empty()) {
-    section.add({result::Sentence{
-        .text = fmt::format("trend: to come beyond {} modes: {}", error.modes.back(), left),
-        .lead = "  * ",
-        .seen = result::kTerminal}});
+    section.add(
+        {result::Sentence{.text = fmt::format("trend: estimated further change beyond {} modes: {}",
+                                              error.modes.back(), left),
+                          .lead = "  * ",
+                          .seen = result::kTerminal}});
   }
   return section;
 }

@@ -55,8 +55,8 @@ std::string cone_refusal(const scene::Scene& scene, bool own) {
   if (falls) return "has one coefficient for all slips, and here friction depends on the slip";
   if (own || scene.auxiliary.size() < 2 || scene.mujoco.rotor == scene::MujocoRotor::kSegments)
     return "";
-  return "knows one contact of the modal chain; with mujoco.rotor = \"segments\" it has all of "
-         "them";
+  return "supports only one contact of the modal chain; with --set mujoco.rotor=segments it "
+         "supports all of them";
 }
 
 std::vector<Contestant> contestants(const scene::Scene& scene, const CompareOptions& options) {

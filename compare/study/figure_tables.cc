@@ -205,25 +205,30 @@ std::vector<Part> interval_parts(const SceneComparison& c) {
 }
 
 std::string settled_line(const SceneComparison& c) {
+  const auto motion = [](const Side* side) -> std::string {
+    return to_string(side->metrics.settled.attractor);
+  };
+  const auto sides = c.sides();
+  const auto as_native = [&](const Side* side) { return motion(side) == motion(sides.front()); };
+  if (std::ranges::all_of(sides, as_native))
+    return fmt::format("{} (all runs)", motion(sides.front()));
   std::string text;
-  for (const Side* side : c.sides()) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", side->label,
-                        to_string(side->metrics.settled.attractor));
-  }
+  for (const Side* side : sides)
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", side->label, motion(side));
   return text;
 }
 
 // Describes the shadow, or says why there is none.
 std::string shadow_note(const SceneComparison& c) {
   if (!c.shadow.side) return "no shadow: " + c.shadow.absent;
-  const std::string what = fmt::format("shadow: the native stepper ({}) at MuJoCo's step",
-                                       c.shadow.side->trajectory.integrator);
+  const std::string what =
+      fmt::format("shadow: native {} at MuJoCo's step", c.shadow.side->trajectory.integrator);
   if (!c.shadow.driven) {
     return what +
            ": its error is due to the step, and the rest of MuJoCo's error to the contact model";
   }
-  return what + ", driven by the commands of " + c.models.front().run.label +
-         ": its error is due to the step, and to what the open loop makes of it";
+  return what + ", with the commands of " + c.models.front().run.label +
+         ": its error is due to the step, and to drift because these commands do not react to it";
 }
 
 // When the rotors of native's twins, and of native and each MuJoCo run, move apart.
@@ -254,7 +259,7 @@ std::vector<Part> split_parts(const SceneComparison& c) {
                {"", "MuJoCo step", 12},
                {"", "native step", 12},
                {"", "repeated runs differ by", 10, kPage},
-               {"", "known to", 0, kPage}}};
+               {"", "uncertainty, or why it is not split", 0, kPage}}};
   bool unsure = false;
   for (const ComparedModel& m : c.models) {
     const std::string name = m.kind().heading;

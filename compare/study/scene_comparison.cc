@@ -281,7 +281,7 @@ class Comparison {
     }
     if (runner_.interrupted()) return;
     const auto climbed = [&](const Contestant& who, const Ladder& ladder, Side& side) {
-      if (!who.climbs) return leave_limits("it is shown at the scene's step alone", side);
+      if (!who.climbs) return leave_limits("it was run only at the scene's step", side);
       if (who.side->trajectory.status != Status::kOk)
         return leave_limits("the run did not end well", side);
       set_limits(ladder, test(who), side);

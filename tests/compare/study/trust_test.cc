@@ -216,7 +216,7 @@ TEST(AnswerRow, SaysWhyMujocoAloneIsNotAmongThem) {
   SceneComparison c = made_by_hand();
   c.scene.auxiliary.resize(2);
   for (scene::AuxiliaryBearing& at : c.scene.auxiliary) at.contact.emplace();
-  EXPECT_NE(cone_note(c).find("MuJoCo alone is not shown: its cone knows one contact"),
+  EXPECT_NE(cone_note(c).find("MuJoCo alone is not shown: its cone supports only one contact"),
             std::string::npos);
   c.scene.mujoco.rotor = scene::MujocoRotor::kSegments;
   EXPECT_EQ(cone_note(c), "");
