@@ -83,7 +83,8 @@ TEST(FigureLimit, WhatIsToComeHasTheSignOfTheLimitLessTheLastValue) {
   error.modes = kModes;
   error.figures = {of("peak_force", [](int n) { return 1.0 + 3.0 / n; })};
   const std::string text = result::text_of(model_error_section(error));
-  EXPECT_NE(text.find("to come beyond 24 modes: impulse / step, max -10.00 %"), std::string::npos)
+  EXPECT_NE(text.find("estimated further change beyond 24 modes: impulse / step, max -10.00 %"),
+            std::string::npos)
       << text;
 }
 

@@ -171,7 +171,7 @@ TEST(ShadowColumn, IsTheNativeStepperAtMujocosStep) {
   EXPECT_GT(mean(c.shadow.figures), 0.0);
   EXPECT_LT(mean(c.shadow.figures), mean(c.models[2].judged()));
   const std::string table = result::text_of(comparison_result(c));
-  EXPECT_NE(table.find("shadow: the native stepper (verlet)"), std::string::npos);
+  EXPECT_NE(table.find("shadow: native verlet"), std::string::npos);
   EXPECT_LE(test::widest_line(table), 80U) << "terminals are 80 columns wide";
 }
 
