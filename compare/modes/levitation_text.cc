@@ -19,9 +19,9 @@ using result::line;
 using result::number;
 
 constexpr double kMicro = 1e6;
-constexpr double kRoundOff = 1e-10;  // of a pole, as a share of the largest
+constexpr double kPoleRoundOff = 1e-10;  // of a pole, as a share of the largest
 
-double largest(const std::vector<std::complex<double>>& poles) {
+double largest_pole(const std::vector<std::complex<double>>& poles) {
   double size = 0.0;
   for (const auto& s : poles) size = std::max(size, std::abs(s));
   return size;
@@ -40,7 +40,7 @@ std::vector<std::complex<double>> shown_poles(const Levitation& levitation) {
 
 // The poles with parts that are only round-off set to 0.
 void clear_round_off(std::vector<std::complex<double>>& poles) {
-  const double least = kRoundOff * largest(poles);
+  const double least = kPoleRoundOff * largest_pole(poles);
   for (auto& s : poles) {
     s = {std::abs(s.real()) < least ? 0.0 : s.real(), std::abs(s.imag()) < least ? 0.0 : s.imag()};
   }
@@ -170,7 +170,8 @@ std::string instability_text(double speed, const Levitation& levitation) {
     return fmt::format("Stability is unknown, because {}.", levitation.poles_refused);
   if (!levitation.unstable()) return "";
   const std::complex<double>& worst = levitation.poles.front();
-  const double at = std::abs(worst.imag()), round_off = kRoundOff * largest(levitation.poles);
+  const double at = std::abs(worst.imag()),
+               round_off = kPoleRoundOff * largest_pole(levitation.poles);
   return fmt::format(
       "The closed loop of the magnetic bearings is unstable at {:.6g} rpm: {} {}.",
       std::abs(speed) * kRpm,

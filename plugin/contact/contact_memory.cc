@@ -1,19 +1,49 @@
 #include "plugin/contact/contact_memory.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
+#include <cstddef>
 
+#include "native_model/contact/most_contacts.h"
 #include "native_model/scene/mujoco.h"
 #include "plugin/contact/relative_motion.h"
-#include "plugin/model/thread_memory.h"
 
 namespace rotorub::plugin {
 namespace {
 
-// The results of the thread's contacts, by mjData and place in userdata.
-auto& noted_contacts() {
-  static thread_local InTurns<std::pair<const mjData*, int>, NotedContact> all;
+// The results that a thread noted last for each of its contacts. If there are more than kMostNoted,
+// a new contact replaces the oldest one. A step allocates no memory.
+class NotedContacts {
+ public:
+  NotedContact* find(const mjData* d, int userdata) {
+    const auto at = std::find_if(all_.begin(), all_.end(), [&](const Noted& noted) {
+      return noted.d == d && noted.userdata == userdata;
+    });
+    return at == all_.end() ? nullptr : &at->contact;
+  }
+  void put(const mjData* d, int userdata, const NotedContact& contact) {
+    if (NotedContact* there = find(d, userdata)) {
+      *there = contact;
+      return;
+    }
+    all_[next_] = {d, userdata, contact};
+    next_ = (next_ + 1) % kMostNoted;
+  }
+
+ private:
+  struct Noted {
+    const mjData* d = nullptr;
+    int userdata = -1;
+    NotedContact contact{};
+  };
+  static constexpr std::size_t kMostNoted = 4 * kMaxContacts;
+  std::array<Noted, kMostNoted> all_;
+  std::size_t next_ = 0;
+};
+
+NotedContacts& noted_contacts() {
+  static thread_local NotedContacts all;
   return all;
 }
 
@@ -80,17 +110,11 @@ ContactForces cone_forces(const mjModel* m, const mjData* d, const mjContact& co
 }  // namespace
 
 const NotedContact* noted_contact(const mjData* d, int userdata) {
-  return noted_contacts().find({d, userdata});
+  return noted_contacts().find(d, userdata);
 }
 
 void note_contact(const mjData* d, int userdata, const Eigen::Vector2d& e_r, double axial) {
-  const NotedContact now{d->time, e_r, axial};
-  auto& all = noted_contacts();
-  if (NotedContact* there = all.find({d, userdata})) {
-    *there = now;
-  } else {
-    all.add({d, userdata}, now);
-  }
+  noted_contacts().put(d, userdata, {d->time, e_r, axial});
 }
 
 void watch_escape(const ContactPair& pair, mjData* d, double delta) {

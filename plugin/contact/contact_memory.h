@@ -15,9 +15,9 @@ namespace rotorub::plugin {
 
 // Further results of a contact in a pass of this thread, for load_cells.h.
 struct NotedContact {
-  double time = 0.0;    // s, of the pass
-  Eigen::Vector2d e_r;  // normal of the force, in the contact's axes
-  double axial = 0.0;   // N, friction on the rotor along the ring's axis
+  double time = 0.0;              // s, of the pass
+  Eigen::Vector2d e_r{1.0, 0.0};  // normal of the force, in the contact's axes
+  double axial = 0.0;             // N, friction on the rotor along the ring's axis
 };
 
 // The results that this thread noted last for the contact whose entries begin at `userdata`; null

@@ -265,7 +265,7 @@ TEST_F(SeveralOnTheChain, EachKeepsItsNotedResults) {
     const ModelPointer m =
         load(mjcf(parsed(in_rings("\"10 mm\"", "\"10 um\"").text,
                          {"rotor.modal.mass=" + values, "rotor.modal.stiffness=" + values,
-                          "rotor.modal.damping=" + values})));
+                          "rotor.modal.damping=" + values, "initial.vx=" + values})));
     const DataPointer d = start(m.get()), other = start(m.get());
     const plugin::Config config = plugin::make_config(m.get());
     ASSERT_EQ(config.pairs.size(), 2u);
