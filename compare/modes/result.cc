@@ -350,7 +350,7 @@ Table rubs_table(const std::vector<StandingRub>& rubs) {
   add_speed("whirl", "whirl rad/s", "whirl / Hz", 13, [](auto& r) { return r.rub.whirl; });
   add({"normal_force", "force / N", 12}, [](auto& r) { return Item{r.rub.normal_force}; });
   add({"friction", "friction/normal", 17}, [](auto& r) { return number(r.rub.friction, 4); });
-  add({"growth_rate", "growth 1/s", 12}, [](auto& r) { return Item{r.stability.growth}; });
+  add({"growth_rate", "growth 1/s", 12}, [](auto& r) { return number(r.stability.growth, 4); });
   add_speed("frequency", "oscillates at rad/s", "oscillates at / Hz", 21,
             [](auto& r) { return r.stability.frequency; });
   add({"stable"}, [](auto& r) {
@@ -420,7 +420,7 @@ std::vector<Part> driven_parts(const RubAnalysis& analysis) {
   add({"normal_force", "force / N", 12}, [](auto& r) { return Item{r.rub.normal_force}; });
   add({"friction", "friction/normal", 17}, [](auto& r) { return number(r.rub.friction, 4); });
   add({"torque", "torque / Nm", 12}, [](auto& r) { return Item{r.torque}; });
-  add({"growth_rate", "growth 1/s", 12}, [](auto& r) { return Item{r.stability.growth}; });
+  add({"growth_rate", "growth 1/s", 12}, [](auto& r) { return number(r.stability.growth, 4); });
   add({"frequency", "oscillates at rad/s", 21},
       [](auto& r) { return Item{r.stability.frequency}; });
   add({"stable"}, [](auto& r) { return stable_item(r.stability); });

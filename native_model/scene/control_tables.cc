@@ -239,7 +239,7 @@ void check_control(const Reading& check) {
   if (!check.sound({"controller.sample_time"})) return;
   if (remembers(c) && c.sample_time <= 0.0) {
     check.fail("controller.sample_time",
-               "is missing, and this law is sampled. Add, for example, --set "
+               "must be > 0, because this law is sampled. Add, for example, --set "
                "controller.sample_time=50us");
   }
   check_sensors(check, c);

@@ -45,8 +45,8 @@ TEST(Cli, SaysWhatIsWrongWithAnOptionAndWhatToDo) {
             "rotorub compare: --twins many: expected a whole number\n");
   EXPECT_EQ(said({"compare", drop, "--jobs", "0"}),
             "rotorub compare: --jobs: 0: expected a whole number from 1 to 4096\n");
-  EXPECT_TRUE(
-      contains(said({"compare", drop, "--no-video", "--all-films"}), "rotorub compare: --"));
+  EXPECT_TRUE(contains(said({"compare", drop, "--no-video", "--all-films"}),
+                       "rotorub compare: Give either --"));
   EXPECT_TRUE(contains(said({"--bounce"}), "rotorub: --bounce: no such option. `rotorub help`"));
   EXPECT_TRUE(folder.files().empty());
 }

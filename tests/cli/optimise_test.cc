@@ -60,7 +60,7 @@ TEST(Optimise, AStudyMayBeASweepToo) {
   folder.done({"sweep", "study.toml", "-o", "map", "-q"});
   folder.done({"optimise", "study.toml", "-o", "out", "-q"});
   folder.write("study.toml", text);
-  folder.refuses({"sweep", "study.toml", "-o", "none"}, {"sample.kind: missing"});
+  folder.refuses({"sweep", "study.toml", "-o", "none"}, {"sample.kind: is missing"});
 }
 
 }  // namespace

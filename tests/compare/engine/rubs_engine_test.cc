@@ -99,11 +99,12 @@ TEST(ConeCoulomb, KeepsARubWithTheRightForce) {
 TEST(ConeCoulomb, KeepsRollingUnderStrongFriction) {
   const scene::Scene scene = shipped("hard/friction_ten");
   const Trajectory native = attempt_event(scene);
+  const double whirl = whirl_speed(native, native.rows() - 1);
   for (const double step : {2e-5, 1e-5, 5e-6}) {
     SCOPED_TRACE(step);
     const Rubbing r = rubbing(scene, scene::ContactModel::kConeCoulomb, step);
     EXPECT_GT(r.contact, 1.0 - 1e-9);
-    EXPECT_NEAR(r.whirl, whirl_speed(native, native.rows() - 1), 2e3 * step * std::abs(r.whirl));
+    EXPECT_NEAR(r.whirl, whirl, 1e4 * step * std::abs(whirl)) << "of first order";
   }
 }
 

@@ -83,8 +83,9 @@ TEST(FigureLimit, WhatIsToComeHasTheSignOfTheLimitLessTheLastValue) {
   error.modes = kModes;
   error.figures = {of("peak_force", [](int n) { return 1.0 + 3.0 / n; })};
   const std::string text = result::text_of(model_error_section(error));
-  EXPECT_NE(text.find("estimated further change beyond 24 modes: impulse / step, max -10.00 %"),
-            std::string::npos)
+  EXPECT_NE(
+      text.find("estimated further change beyond 24 modes: impulse / step, max\n    -10.00 %"),
+      std::string::npos)
       << text;
 }
 
@@ -151,7 +152,7 @@ TEST(ModelError, OfAnInterruptedLadderNothingIsTold) {
   ModelErrorParameters parameters;
   parameters.interrupt = &stop;
   const ModelError error = model_error(shipped("paper_sliding", {"rotor.modes=2"}), parameters);
-  EXPECT_EQ(error.reason, "interrupted");
+  EXPECT_EQ(error.reason, "it was interrupted");
   EXPECT_TRUE(error.figures.empty());
 }
 

@@ -123,7 +123,7 @@ TEST(Study, Refused) {
     std::string text, says;
   } cases[] = {
       {"", "scene: missing"},
-      {of_ring(), "sample.kind: missing"},
+      {of_ring(), "sample.kind: is missing"},
       {of_ring() + "[sample]\nkind = \"gird\"\n",
        "did you mean `grid`? Choose from grid, latin_hypercube, list"},
       {of_ring() + "[sample]\nkind = \"grid\"\n", "vary: missing"},
