@@ -90,7 +90,7 @@ class Reader(InFolder):
         self.assertEqual(len(run["t"]), len(self.run_["t"]))
 
     def test_what_is_no_run_is_refused(self):
-        with self.assertRaisesRegex(FileNotFoundError, "nowhere: no run"):
+        with self.assertRaisesRegex(FileNotFoundError, "nowhere is not the folder of a run"):
             rotorub.read(self.folder / "nowhere")
         shutil.copytree(self.folder / "run", self.folder / "damaged")
         with open(self.folder / "damaged" / "impacts.csv", "a") as file:
