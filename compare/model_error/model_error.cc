@@ -69,7 +69,7 @@ FigureLimit figure_limit(const Figure& figure, const std::vector<int>& modes,
   assert(values.size() >= kFewestRungs && values.size() == modes.size());
   FigureLimit result{&figure, values, Convergence::kNoLimit, 0.0, {}, {}};
   const std::size_t k = values.size() - 1;
-  // Of a change in SI; positive if the magnitude grows, as for deviation().
+  // The share of a change in SI is positive if the magnitude grows, as for deviation().
   const double sense = values[0] < 0.0 ? -1.0 : 1.0;
   const auto share = [&](double change) { return sense * share_of(figure, values[0], change); };
   std::vector<double> changes;

@@ -230,8 +230,8 @@ json plane_json(const PlaneShapes& plane) {
 // 0 instead of a value that is written as 0.0000, so that it has no sign.
 double without_round_off(double value) { return std::abs(value) < 5e-5 ? 0.0 : value; }
 
-// What a mode is divided by in the table: 1, or the largest deflection of a mode that has nearly a
-// node at the contact.
+// The table divides a mode by this: 1, or the largest deflection if the mode has nearly a node at
+// the contact.
 double table_scale(const Eigen::VectorXd& shape) {
   constexpr double kNearNode = 10.0;  // largest deflection over the deflection at the contact
   Eigen::Index peak = 0;

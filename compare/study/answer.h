@@ -43,7 +43,7 @@ std::vector<AnswerRow> sentence_rows(const SceneComparison& comparison);
 // A sentence on which contact model determines the exit code, and its result.
 std::string whose_verdict(const SceneComparison& comparison);
 
-// What to do if nothing touches in any run, so that no force was judged; otherwise empty.
+// Advice for a comparison in which nothing touches, so that no force was judged; otherwise empty.
 std::string no_contact_note(const SceneComparison& comparison);
 
 // For a user's own machine, sentences on what the native side is and what it leaves out of the

@@ -70,7 +70,8 @@ int spawn(pid_t* pid, const std::string& program, int socket) {
   return error;
 }
 
-// What a process depends on beside the file of its law.
+// The interpreter, the working directory and the file of a law. A process may serve only laws for
+// which all three are the same.
 std::string surroundings_of(const std::string& file) {
   std::error_code unknown;
   return interpreter() + '\n' + std::filesystem::current_path(unknown).string() + '\n' + file;

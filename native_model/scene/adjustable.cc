@@ -83,7 +83,7 @@ std::optional<double> number_at(const TablePlace& place, const Key& key) {
   return std::strtod(key.standard.c_str(), nullptr);
 }
 
-// Of a vector: x and y in SI.
+// The x and y of a vector, in SI; empty if the key has no vector of two numbers.
 std::optional<std::pair<double, double>> pair_at(const TablePlace& place, const Key& key) {
   const TomlNode* node = place.node->find(key.name);
   if (key.type != ValueType::kVector || !node || node->items.size() != 2) return std::nullopt;

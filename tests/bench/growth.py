@@ -16,7 +16,7 @@ import pathlib
 import subprocess
 import tempfile
 
-# The first value of each list is that of the base scene, from which the other kinds vary.
+# The base scene has the first value of each list; each kind varies one of them.
 SIZES = {
     "modes": (8, 16, 32, 64),
     "contacts": (1, 2, 4, 8),

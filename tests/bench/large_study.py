@@ -141,7 +141,7 @@ def shards(study):
 def compare(study, other):
     for name in SAME:
         same = (study.folder / "whole" / name).read_bytes() == (study.folder / other / name).read_bytes()
-        require(same, f"{name} of `{other}` differs from that of the whole study")
+        require(same, f"{name} of `{other}` differs from the whole study's file")
     pages = [(study.folder / out / "sweep.html").read_text().replace(str(study.folder / out), "FOLDER") for out in ("whole", other)]
     require(pages[0] == pages[1], f"sweep.html of `{other}` differs by more than its folder")
     print(f"{other}: the same bytes")

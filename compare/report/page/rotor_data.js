@@ -162,7 +162,7 @@ function sensitivityOf({bearing, axis, sensitivity, frequency}, curve) {
   return {name: `bearing ${bearing} ${axis}`, f: times(hz, x), y: y.map(decibels), peak: [hz * frequency, decibels(sensitivity)]};
 }
 
-// Of the steady value, or of the peak if that is what the deflection settles from.
+// The settling band relative to the steady value, or to the peak if the deflection settles to 0.
 const band = 0.02;
 function stepOf({bearing, axis, step}, curve) {
   const {largest, largest_at: at, settling_time: settled, steady, overshoot} = step;
