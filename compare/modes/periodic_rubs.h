@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "native_model/periodic/period_figures.h"
-#include "native_model/periodic/settled_motion.h"
+#include "native_model/periodic/periodic_rub.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub {
@@ -18,22 +17,7 @@ struct ShootingOptions {
   std::int64_t most_stretches = 500'000;  // of all starts together, in equal shares
 };
 
-// One periodic motion with the starts that lead to it.
-struct PeriodicRub {
-  // "no contact", "synchronous rub", "backward whip", "forward whirl", "rolling", "sticking",
-  // "stick-slip", "rub on one side" (the contact does not go around the ring) or "bouncing", of the
-  // contact with the largest mean force.
-  std::string kind;
-  std::vector<std::string> starts;
-  periodic::SettledMotion settled;
-  double spin = 0.0;                              // rad/s, at the start of the period
-  std::size_t contact = 0;                        // with the largest mean force
-  std::vector<periodic::ContactFigures> figures;  // one per auxiliary bearing
-  double largest_multiplier() const;              // its absolute value
-};
-
-// The rub of a motion, with kind, contact and figures; without starts.
-PeriodicRub periodic_rub(const Model& model, periodic::SettledMotion settled);
+using periodic::PeriodicRub, periodic::periodic_rub;
 
 // A start whose run settles to no periodic motion.
 struct UnsettledStart {
@@ -46,6 +30,8 @@ struct PeriodicRubs {
   std::vector<UnsettledStart> without;
   // The reason why the machine has no periodic motion from any start, or empty.
   std::string refused;
+  // A sentence about sample times that differ from the scene's (with_whole_samples), or empty.
+  std::string sampling;
 };
 
 // Runs the scene from its own start, from the closed forms' synchronous rub and whip (without

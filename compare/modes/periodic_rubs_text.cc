@@ -112,6 +112,7 @@ result::Section periodic_rubs_result(const PeriodicRubs& all) {
   if (all.rubs.empty())
     section.add({result::Sentence{
         .text = all.refused.empty() ? "none" : "none can be found: " + all.refused, .lead = "  "}});
+  if (!all.sampling.empty()) section.add({result::Sentence{.text = all.sampling, .lead = "  "}});
   json without = json::array();
   for (const UnsettledStart& start : all.without) {
     without.push_back({{"start", start.start}, {"reason", start.why}});
@@ -120,7 +121,9 @@ result::Section periodic_rubs_result(const PeriodicRubs& all) {
   }
   const json refused = all.refused.empty() ? json(nullptr) : json(all.refused);
   section.add({result::Section{
-      "periodic_rubs", {result::Data{"refused", refused}, result::Data{"without", without}}}});
+      "periodic_rubs",
+      {result::Data{"refused", refused}, result::Data{"without", without},
+       result::Data{"sampling", all.sampling.empty() ? json(nullptr) : json(all.sampling)}}}});
   return section;
 }
 

@@ -52,7 +52,9 @@ class Machines {
     }
     return own;
   }
-  Model model(double value, double up) const { return prepare(unstarted(value, up)); }
+  Model model(double value, double up) const {
+    return periodic::with_whole_samples(prepare(unstarted(value, up)));
+  }
 
  private:
   const scene::Variants* scenes_;

@@ -192,6 +192,10 @@ void take_samples_in_step(const Model& m, double t, double h, const double* q, d
   }
 }
 
+bool falls_on_sample(const SampledFeedback& s, double t) {
+  return std::abs(t - instant_of(s, t)) < kSampleRoundOff * s.sample_time;
+}
+
 std::string sample_refusal(const Model& m, double step) {
   for (const SampledFeedback& s : m.samplers) {
     const double ratio = s.sample_time / step;

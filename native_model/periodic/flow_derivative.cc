@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "native_model/model/dynamics.h"
+#include "native_model/model/sampled_feedback.h"
 #include "native_model/periodic/contact_gradients.h"
 #include "native_model/periodic/impact_derivative.h"
 
@@ -28,6 +29,15 @@ constexpr double kFalls = 0.1;
 constexpr double kRoundOff = 3e-15;
 // Relative to the speeds; an event whose surface is reached more slowly counts as grazing.
 constexpr double kGrazing = 1e-10;
+
+// The state at the end of a stretch, before samples that are taken there. The memory of a control
+// stays as it is between samples.
+std::vector<double> before_samples(const Model& m, const Stretch& stretch, const Stretch& next) {
+  std::vector<double> y = next.y;
+  const std::ptrdiff_t first = m.nq() + m.sampled_states(), end = m.nq() + m.layout.coil();
+  std::copy(stretch.y.begin() + first, stretch.y.begin() + end, y.begin() + first);
+  return y;
+}
 
 }  // namespace
 
@@ -122,6 +132,30 @@ void FlowDerivative::pass(const Stretch& s, const ContactStates& states, Eigen::
   }
   for (Eigen::Index j = 0; j < w.cols(); ++j) {
     w.col(j).head(n_) = varied(s, states, w.col(j), parts);
+  }
+}
+
+// Passes the samples that are taken at t (s). before: the state before them.
+void FlowDerivative::sample(double t, const std::vector<double>& before, Eigen::MatrixXd& w) {
+  const int nq = model_->nq();
+  for (const SampledFeedback& s : model_->samplers) {
+    if (!falls_on_sample(s, t)) continue;
+    for (Eigen::Index j = 0; j < w.cols(); ++j) {
+      const double eps = share_of(w.col(j));
+      if (eps == 0.0) continue;
+      const Eigen::Map<const Eigen::VectorXd> y(before.data(), n_);
+      Eigen::VectorXd change = Eigen::VectorXd::Zero(nq);
+      for (const Node& node : kNodes) {
+        Eigen::VectorXd at = y + node.at * eps * w.col(j).head(n_);
+        take_sample(*model_, s, t, at.data(), at.data() + nq);
+        change += node.weight / eps * at.tail(nq);
+      }
+      const auto put = [&](int first, Eigen::Index count) {
+        w.col(j).segment(nq + first, count) = change.segment(first, count);
+      };
+      put(s.command, s.law.ports() * (1 + s.delay));
+      put(s.state, s.law.states());
+    }
   }
 }
 
@@ -221,7 +255,11 @@ Eigen::MatrixXd FlowDerivative::along(const MotionRecord& motion,
   for (std::size_t i = 0; i < motion.stretches.size(); ++i) {
     const Stretch& s = motion.stretches[i];
     pass(s, s.states, w);
-    if (!s.jump) continue;
+    if (!s.jump) {
+      if (i + 1 < motion.stretches.size())
+        sample(s.end(), before_samples(*model_, s, motion.stretches[i + 1]), w);
+      continue;
+    }
     if (kind_of(*s.jump, s.states) != Kind::kImpact) {
       cross(s, s.jump->states, false, w);
       continue;

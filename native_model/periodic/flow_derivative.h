@@ -15,6 +15,9 @@
 //   touch        compliant contact: h = g_N, R = 1, except for a of the touch (compliance.h), which
 //                depends on its speed and is an entry of w
 //   slip ends    h = gdot_T, R = 1: sticking, or slip the other way
+//   sample       of a control of magnetic bearings: w+ = S_y w, with the sample y+ = S(y)
+//                (model/sampled_feedback.h), by the same differences; a motion that begins or ends
+//                at a sample is not supported
 //   other ends   of lasting contact (lambda_N = 0), of sticking (|lambda_T| = mu lambda_N) and of a
 //                compliant force: f- = f+, so w does not jump
 //
@@ -56,6 +59,7 @@ class FlowDerivative {
   void set_states(const ContactStates& states);
   void pass(const Stretch& stretch, const ContactStates& states, Eigen::MatrixXd& w);
   void cross(const Stretch& stretch, const ContactStates& after, bool captured, Eigen::MatrixXd& w);
+  void sample(double t, const std::vector<double>& before, Eigen::MatrixXd& w);
   Eigen::VectorXd varied(const Stretch& stretch, const ContactStates& states,
                          const Eigen::VectorXd& w, int parts);
   double share_of(const Eigen::VectorXd& w) const;

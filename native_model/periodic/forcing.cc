@@ -29,6 +29,7 @@ double latest_switch(const Model& m) {
   for (const StationFeedback& f : m.feedbacks) {
     for (const double t : f.works.all()) meet(t);
   }
+  for (const SampledFeedback& s : m.samplers) latest += s.sample_time;  // its first sample differs
   if (m.base) std::ranges::for_each(m.base->breaks(), meet);
   for (const AuxiliaryBearing& at : m.auxiliary) {
     if (!at.controller) continue;
@@ -65,6 +66,9 @@ std::optional<double> common_period(const std::vector<double>& all) {
   return {};
 }
 
+// The number of samples in a period (s); it need not be whole.
+double samples_in(double period, const SampledFeedback& s) { return period / s.sample_time; }
+
 std::string refusal_of(const Model& m, const std::vector<double>& of_loads) {
   const auto lasts = [](const AppliedForce& f) {
     const bool passes = f.kind == scene::ForceKind::kChirp || f.kind == scene::ForceKind::kPulse;
@@ -77,7 +81,10 @@ std::string refusal_of(const Model& m, const std::vector<double>& of_loads) {
     return "a motion of the base without an end is not supported";
   }
   if (m.drive_follows()) return "a speed-controlled drive is not supported";
-  if (!m.samplers.empty()) return "sampled controls of magnetic bearings are not supported";
+  if (!m.samplers.empty() && of_loads.empty()) {
+    return "a sampled control of a magnetic bearing has no period in common with a motion without "
+           "loads; add an unbalance or a rotating force, or use kind = \"pid\" without sample_time";
+  }
   for (const AuxiliaryBearing& at : m.auxiliary) {
     if (at.loop || at.recorded)
       return "sampled controllers and recorded commands are not supported";
@@ -91,10 +98,27 @@ std::string refusal_of(const Model& m, const std::vector<double>& of_loads) {
   if (!of_loads.empty() && !common_period(of_loads)) {
     return "the frequencies of the loads have no common period";
   }
+  const auto is_split = [&](const SampledFeedback& s) {
+    const double samples = samples_in(*common_period(of_loads), s);
+    return std::abs(samples - std::round(samples)) > kSameFrequency * samples;
+  };
+  if (std::ranges::any_of(m.samplers, is_split)) {
+    return "a sample time of a magnetic bearing does not divide the period of the loads";
+  }
   return "";
 }
 
 }  // namespace
+
+Model with_whole_samples(Model m) {
+  const std::vector<double> of_loads = frequencies(m);
+  const std::optional<double> period = of_loads.empty() ? std::nullopt : common_period(of_loads);
+  if (!period) return m;
+  for (SampledFeedback& s : m.samplers) {
+    s.sample_time = *period / std::max(1.0, std::round(samples_in(*period, s)));
+  }
+  return m;
+}
 
 Forcing forcing_of(const Model& m) {
   const std::vector<double> of_loads = frequencies(m);

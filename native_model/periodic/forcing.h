@@ -3,6 +3,9 @@
 // If all frequencies are multiples of one, the period of the loads is known. A system without
 // explicit time dependence is autonomous: the period of its motions is unknown. If its spin is free
 // and something is fixed to the rotor, the spin angle grows by whole turns in a period.
+//
+// Controls of magnetic bearings that are sampled repeat with their sample time, which must divide
+// the period of the loads. with_whole_samples() sees to this.
 #pragma once
 
 #include <string>
@@ -21,5 +24,10 @@ struct Forcing {
 };
 
 Forcing forcing_of(const Model& model);
+
+// The model in which each sampled control has the sample time nearest to its own that divides the
+// period of the loads, as if the clock of its processor ran a little faster or slower. Unchanged
+// without loads.
+Model with_whole_samples(Model model);
 
 }  // namespace rotorub::periodic

@@ -38,8 +38,9 @@ struct MotionRecord {
   Status status = Status::kOk;
   std::string message;             // for a status other than kOk
   std::vector<Stretch> stretches;  // in their order
-  std::vector<double> start, end;  // y = (q, v), after the decisions about contacts closed there
-  ContactStates first, last;       // states of the contacts there
+  // y = (q, v), after the decisions about contacts closed there.
+  std::vector<double> start, end;
+  ContactStates first, last;                // states of the contacts there
   double begin_time = 0.0, end_time = 0.0;  // s
 };
 

@@ -8,6 +8,7 @@
 
 #include "native_model/linear/rub_map.h"
 #include "native_model/linear/rub_system.h"
+#include "native_model/prepare/periodic_start.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/record.h"
 #include "native_model/scene/text.h"
@@ -106,16 +107,17 @@ void twist(const SteadyRub& rub, Model& m) {
       torque.cwiseQuotient(m.stiffness.segment(l.theta(), l.torsion));
 }
 
-}  // namespace
-
-void add_rub_start(const scene::Scene& scene, Model& m) {
+// Refuses a ring whose speed is given.
+void check_ring_spin(const scene::Scene& scene) {
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     const auto& ring = scene.auxiliary[k].stator;
     if (!ring || !ring->spin || ring->spin->speed == 0.0) continue;
     scene::refuse_at(scene, k, "stator.spin.speed",
                      "the rub determines the speed of the ring; with initial.rub remove this key");
   }
-  const RubSystem system = rub_system(at_start(scene));
+}
+
+void put(const scene::Scene& scene, const RubSystem& system, Model& m) {
   const SteadyRub rub = rub_of(scene, system);
   const Complex direction = std::polar(1.0, rub.direction);
   const Layout& l = m.layout;
@@ -127,6 +129,30 @@ void add_rub_start(const scene::Scene& scene, Model& m) {
   }
   if (m.first().turns()) m.v0[m.first().ring_angle] = rub.ring_speed;
   if (l.torsion > 0 && scene.initial.torsion.empty()) twist(rub, m);
+}
+
+}  // namespace
+
+void put_on_closed_form(const scene::Scene& scene, Model& m) {
+  check_ring_spin(scene);
+  put(scene, rub_system(at_start(scene)), m);
+}
+
+void add_rub_start(const scene::Scene& scene, Model& m) {
+  check_ring_spin(scene);
+  const scene::Scene acting = at_start(scene);
+  RubSystem system;
+  std::optional<scene::SceneError> no_form;
+  try {
+    system = rub_system(acting);
+  } catch (const scene::SceneError& error) {
+    no_form = error;
+  }
+  if (!no_form) return put(scene, system, m);
+  const State state = state_on_periodic_rub(acting, *no_form);
+  if (state.q.size() != m.nq()) throw *no_form;
+  m.q0 = state.q;
+  m.v0 = state.v;
 }
 
 }  // namespace rotorub::rub

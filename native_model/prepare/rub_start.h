@@ -1,4 +1,5 @@
-// A start on a lasting rub, `[initial] rub`: rotor and ring move on their circles, in contact,
+// A start on a lasting rub, `[initial] rub`. In a machine that looks the same from all directions,
+// rotor and ring move on their circles, in contact,
 //
 //   r(0) = rho e^{i psi},  r'(0) = i nu rho e^{i psi},
 //   z(0) = w e^{i psi},    z'(0) = i nu w e^{i psi}.
@@ -19,11 +20,15 @@
 
 namespace rotorub::rub {
 
-// Puts rotor and ring of the model on the rub; the rest of the model must be complete. Throws
-// scene::SceneError as rub_system does; with key initial.rub if there is no such rub or there are
-// loads of several frequencies; with key controller.kind for `two_phase`, whose first phase is not
-// covered by the analysis; and for a force that is still rising at t = 0. Throws RotorNotSolvable
-// (rotor/refusal.h).
+// Puts rotor and ring of the model on the rub; the rest of the model must be complete. Where the
+// closed form does not hold (rub_system), the start lies on a periodic rub of the same kind that
+// shooting finds (periodic_start.h). Throws scene::SceneError as rub_system does if there is none;
+// with key initial.rub if there is no such rub or there are loads of several frequencies; with key
+// controller.kind for `two_phase`, whose first phase is not covered by the analysis; and for a
+// force that is still rising at t = 0. Throws RotorNotSolvable (rotor/refusal.h).
 void add_rub_start(const scene::Scene& scene, Model& model);
+
+// The same by the closed form alone.
+void put_on_closed_form(const scene::Scene& scene, Model& model);
 
 }  // namespace rotorub::rub

@@ -43,8 +43,9 @@ Table initial() {
            "start on the steady free orbit; not beside `x` to `vy`, `stator`, `stator_velocity`"),
        word<&Scene::initial, &Initial::rub>("rub", {"none", "synchronous", "whip", "rolling"},
                                             kStandard,
-                                            "start on this lasting rub of `rotorub modes`; not "
-                                            "beside `steady` or the keys it excludes"),
+                                            "start on this lasting rub of `rotorub modes`, or of "
+                                            "`modes --periodic`; not beside `steady` or the keys "
+                                            "it excludes"),
        key<&Scene::initial, &Initial::x>("x", kLength, "", "0", "modal displacements"),
        key<&Scene::initial, &Initial::y>("y", kLength, "", "0", "modal displacements"),
        key<&Scene::initial, &Initial::vx>("vx", kVelocity, "", "0", "modal velocities"),

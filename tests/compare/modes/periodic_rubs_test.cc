@@ -119,7 +119,7 @@ TEST(PeriodicRubs, ABounceAndItsSubHarmonic) {
     EXPECT_EQ(found.figures.at(0).impacts, order);
     EXPECT_NEAR(found.settled.motion.period, order * bounce.period(), 1e-12);
     const std::string text =
-        result::text_of({.parts = {periodic_rubs_result({{""}, {found}, {}, ""})}});
+        result::text_of({.parts = {periodic_rubs_result({{""}, {found}, {}, "", ""})}});
     EXPECT_EQ(text.find("bouncing, sub-harmonic 1/2") != std::string::npos, order == 2) << text;
   }
 }

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "native_model/periodic/forcing.h"
 #include "native_model/periodic/return_map.h"
 #include "native_model/prepare/prepare.h"
+#include "tests/native_model/periodic/levitated_rotor.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
 
@@ -126,6 +128,20 @@ TEST(FlowDerivative, OfASpringAndADamperInTheContact) {
 TEST(FlowDerivative, OfTwoContacts) {
   const Model model = prepare(test::shipped("two_catchers"));
   expect_derivative(model, initial_state(model), 0.012, 1e-5);
+}
+
+// The memory of the controls and the voltages' limits of 150 V are parts of the motion.
+TEST(FlowDerivative, OfSampledMagneticBearings) {
+  for (const char* delay : {"0", "100 us"}) {
+    SCOPED_TRACE(delay);
+    scene::Scene scene = test::levitated_rotor(delay);
+    const Model model = with_whole_samples(prepare(scene));
+    const MotionRecord before = record_motion(model, initial_state(model), 0.020325);
+    State start{before.end_time, {}, {}};
+    start.q = Eigen::Map<const Eigen::VectorXd>(before.end.data(), model.nq());
+    start.v = Eigen::Map<const Eigen::VectorXd>(before.end.data() + model.nq(), model.nq());
+    expect_derivative(model, start, 4.1e-3, 1e-6);
+  }
 }
 
 TEST(FlowDerivative, OfFrictionThatFallsWithTheSlip) {

@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
+#include "native_model/periodic/forcing.h"
 #include "native_model/periodic/return_map.h"
 #include "native_model/prepare/prepare.h"
 #include "tests/native_model/periodic/bounce_once_a_turn.h"
+#include "tests/native_model/periodic/levitated_rotor.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub::periodic {
@@ -107,6 +110,22 @@ TEST(SettledMotion, AFreeOrbitIsSeenAtRest) {
   ASSERT_TRUE(found.found()) << found.refusal;
   EXPECT_EQ(found.motion.frame, 0.0);
   EXPECT_EQ(found.order, 1);
+}
+
+// 70 Hz: 285.7 samples of 50 us in a turn, of which the motion has 286.
+TEST(SettledMotion, OfSampledMagneticBearings) {
+  scene::Scene scene = test::levitated_rotor();
+  scene.rotor.speed = 2.0 * std::numbers::pi * 70.0;
+  const Model given = prepare(scene), model = with_whole_samples(given);
+  EXPECT_NE(forcing_of(given).refusal, "");
+  const double period = 1.0 / 70.0;
+  EXPECT_NEAR(model.samplers[0].sample_time, period / 286.0, 1e-16);
+  const SettledMotion found = settled_motion(model, initial_state(model), {.duration = 0.5});
+  ASSERT_TRUE(found.found()) << found.refusal;
+  EXPECT_EQ(found.order, 1);
+  EXPECT_NEAR(found.motion.period, period, 1e-12);
+  EXPECT_TRUE(found.motion.stable);
+  EXPECT_LT(ReturnMap(model).at(found.motion.start, 5.0 * period, 0).residual, 1e-8);
 }
 
 TEST(SettledMotion, OfAFreePeriodHasNoOrder) {

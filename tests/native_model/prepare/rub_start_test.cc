@@ -1,10 +1,10 @@
 // [initial] rub: a run that starts on a lasting rub which is stable stays on it, with the force,
 // whirl and circle of the closed forms, in every integrator.
 #include "native_model/prepare/rub_start.h"
-#include "native_model/prepare/prepare.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -13,6 +13,8 @@
 
 #include "native_model/linear/rub_map.h"
 #include "native_model/oracles/annular_rub.h"
+#include "native_model/periodic/motion_record.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/reader.h"
 #include "tests/native_model/hard/rules.h"
 #include "tests/native_model/linear/rubs.h"
@@ -198,13 +200,44 @@ TEST(RubStart, IsTheSameInEveryIntegrator) {
   }
 }
 
-// ---------------------------------------------------------------- refusals
+// ---------------------------------------------------------------- without a closed form
 void expect_refused(const scene::Scene& s, const std::string& key, const std::string& reason) {
   const scene::Diagnostic d = test::refusal(s);
   EXPECT_EQ(d.key, key);
   EXPECT_TRUE(test::contains(d.reason, reason));
 }
 
+// Runs the scene over some turns of the whirl and compares its end with its start.
+void expect_comes_back(const scene::Scene& scene, double period, double share) {
+  const Model m = prepare(scene);
+  const Eigen::Index n = m.layout.mechanical();
+  const periodic::MotionRecord r = periodic::record_motion(m, initial_state(m), period);
+  ASSERT_EQ(r.status, Status::kOk) << r.message;
+  const Eigen::Map<const Eigen::VectorXd> q(r.end.data(), n), v(r.end.data() + m.nq(), n);
+  EXPECT_LT((q - m.q0.head(n)).norm(), share * m.q0.head(n).norm());
+  EXPECT_LT((v - m.v0.head(n)).norm(), share * m.v0.head(n).norm());
+  EXPECT_EQ(r.last[0].mode, Mode::kSlide);
+}
+
+// Weight breaks the symmetry that the closed form needs. Five turns lead back to the start.
+TEST(RubStart, UnderWeightIsAPeriodicRub) {
+  scene::Scene s = on("bench_annular_elastic", "synchronous");
+  test::add_constant_force(s, {0.0, -20.0});
+  expect_comes_back(s, 0.1, 1e-7);
+  const Trajectory t = test::run_event(s);
+  const auto& force = t.column("normal_force");
+  EXPECT_GT(*std::ranges::min_element(force), 100.0);
+  EXPECT_LT(*std::ranges::max_element(force), 145.0);
+}
+
+TEST(RubStart, NamesWhatRunsSettleToIfThereIsNone) {
+  scene::Scene s = on("bench_annular_elastic", "whip");
+  test::add_constant_force(s, {0.0, -20.0});
+  expect_refused(s, "force[1].kind",
+                 "; a search for a periodic rub found none either: the run from ");
+}
+
+// ---------------------------------------------------------------- refusals
 TEST(RubStartRefusal, SaysWhichRubsThereAre) {
   expect_refused(on("bench_whip", "synchronous"), "initial.rub",
                  "there is no synchronous rub at 314.159 rad/s; choose one that exists "
