@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "native_model/model/model.h"

@@ -2,8 +2,6 @@
 // honoured.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "mjcf/names.h"

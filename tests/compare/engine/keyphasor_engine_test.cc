@@ -1,10 +1,8 @@
 // The passing of the mark on the shaft: an output of every engine, at the instant itself.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <memory>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include "compare/engine/engine.h"

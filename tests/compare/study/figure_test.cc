@@ -4,7 +4,6 @@
 
 #include <limits>
 
-#include <cmath>
 #include <set>
 
 #include "compare/base/format.h"

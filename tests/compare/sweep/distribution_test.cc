@@ -2,8 +2,6 @@
 #include "compare/sweep/distribution.h"
 
 #include <cmath>
-#include <limits>
-#include <set>
 
 #include "compare/sweep/sample.h"
 #include "tests/compare/sweep/studies.h"

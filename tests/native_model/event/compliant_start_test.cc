@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "native_model/model/model.h"
 #include "tests/support/jeffcott.h"

@@ -9,7 +9,6 @@
 #include <optional>
 #include <random>
 #include <string>
-#include <vector>
 
 #include "native_model/linear/campbell.h"
 #include "native_model/numerics/eigenvalues.h"

@@ -2,7 +2,6 @@
 // is run for several of its periods.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <numbers>
 
 #include "native_model/periodic/period_figures.h"
