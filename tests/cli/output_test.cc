@@ -1,4 +1,4 @@
-// Lost output is no success: whatever is printed goes to a full device here.
+// A command whose output is lost fails; here all output goes to a full device.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -32,7 +32,7 @@ TEST(CliOutput, LostIsAFailureThatIsSaid) {
   }
 }
 
-// The same of the commands that print at the end of their work.
+// The same for commands that print at the end of their work.
 TEST(CliOutput, LostOfLongerWorkToo) {
   const Folder folder;
   const std::string ring = shipped("bench_ring"), drop = shipped("bench_drop");
@@ -63,7 +63,7 @@ TEST(CliOutput, LostOfLongerWorkToo) {
   }
 }
 
-// Nothing was to be printed, and nothing is lost.
+// Nothing was to be printed, so nothing is lost.
 TEST(CliOutput, OfAQuietRunCannotBeLost) {
   const Folder folder;
   const Outcome quiet = folder.done(
@@ -71,13 +71,13 @@ TEST(CliOutput, OfAQuietRunCannotBeLost) {
   EXPECT_TRUE(folder.has("out/summary.json"));
 }
 
-// The first failure is the one that counts.
+// The first failure determines the exit code.
 TEST(CliOutput, LostBesideBadInputIsBadInput) {
   const Folder folder;
   EXPECT_EQ(folder.run({"run", "missing.toml"}, kFullDevice).code, 2);
 }
 
-// The same for a file that is named. (By a link: see the tests of the files of a run.)
+// The same for a named file. (It is a link: see the tests of the files of a run.)
 TEST(CliOutput, ToAFullDeviceByNameFails) {
   const Folder folder;
   std::filesystem::create_symlink("/dev/full", folder.path() / "full");

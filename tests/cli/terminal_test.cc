@@ -1,4 +1,4 @@
-// The program on a terminal, and the words of its command line.
+// The program on a terminal, and the wording of its command line.
 #include <gtest/gtest.h>
 #include <pty.h>
 
