@@ -11,7 +11,7 @@
 namespace rotorub {
 namespace {
 
-// It is driven into a ring on springs, bounces, and slides to the end; the motor gives way.
+// The rotor is driven into a ring on springs, bounces, and slides to the end; the motor is weak.
 scene::Scene rubbing_jeffcott() {
   scene::Scene s = test::make_scene({.mass = 2.0,
                                      .damping = 40.0,

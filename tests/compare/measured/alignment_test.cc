@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// The passive rig from rest into its rub, 0.15 s: bounces, no two turns alike.
+// The passive rig from rest into its rub, 0.15 s: it bounces, and no two turns are alike.
 const scene::Scene& rig() {
   static const scene::Scene scene = shipped("paper_passive", {"run.end=0.15", "run.step=1e-5"});
   return scene;
@@ -31,7 +31,7 @@ std::vector<double> every(double apart, double end) {
   return t;
 }
 
-// The run that is aligned with: rows every 10 us.
+// The run that is aligned, with rows every 10 us.
 const Trajectory& native() {
   static const Trajectory run = run_at(rig(), every(1e-5, 0.15));
   return run;
@@ -127,7 +127,7 @@ TEST(Alignment, StatesTheErrorThatAWrongModelMakes) {
   EXPECT_GT(most, 0.1) << "something is off";
 }
 
-// Clipped samples are left out and do not pull the fit, which would be off by more with them.
+// Clipped samples are left out; with them the error of the fit would be larger.
 TEST(Alignment, ClippedSamplesDoNotPull) {
   Sensors sensors;
   sensors.shift = -2.2e-3;
@@ -175,7 +175,7 @@ TEST(Alignment, FindsTheClockByWhatThereIs) {
   }
 }
 
-// y alone of sensors that stand at an angle which is known.
+// Only y, from sensors at a known angle.
 TEST(Alignment, TurnsASingleColumnByTheAngleGiven) {
   Sensors sensors;
   sensors.shift = 1.5e-3;
@@ -192,8 +192,8 @@ Trajectory circle() {
   return moving(20001, 1e-5, [](double t) { return std::polar(1e-4, kWhirl * t); });
 }
 
-// On a circle a turn of the frame is a shift: the frame is taken as the scene's, and the turns look
-// alike.
+// On a circle a turn of the frame equals a shift: the frame is taken as the scene's, and all turns
+// of the run look alike.
 TEST(Alignment, SaysWhatACircleDoesNotTell) {
   const Trajectory run = circle();
   std::string text = "t [s],rotor_x [m],rotor_y [m]\n";

@@ -41,8 +41,8 @@ TEST(Attractor, IsNamedByTheWhirlOfAPermanentContact) {
   }
 }
 
-// Wherever the run is stopped, what rocks about its lowest place rests there: its mean whirl is
-// that of the swing it is in.
+// A rotor that rocks about its lowest place is at rest there, whenever the run ends: its mean whirl
+// depends on the swing.
 TEST(Attractor, RestsWhereItRocks) {
   for (const double end : {0.83, 0.91, 1.0, 1.04}) {
     const Whirl w;
@@ -82,14 +82,14 @@ TEST(Attractor, ImpactsAloneAreBouncesToo) {
   impact.gap_rate_before = -0.1;
   t.impacts.push_back(impact);
   EXPECT_EQ(settled(t).attractor, Attractor::kBouncing);
-  // One that happened before the last fifth does not count, nor does a touch.
+  // An impact or a touch before the last fifth does not count.
   t.impacts[0].t = 0.5;
   EXPECT_EQ(settled(t).attractor, Attractor::kNoContact);
   t.impacts[0] = {0.9, 0.0, 0.0, -1e-6, 0.0, 0.0, 0.0, 0.0};
   EXPECT_EQ(settled(t).attractor, Attractor::kNoContact);
 }
 
-// A rub that was is none that is; but a bouncer that is only in the air is.
+// A rub that has ended does not count; a bouncing rotor that is in flight at the end does.
 TEST(Attractor, WhatHasEndedIsNoContact) {
   const Whirl w;
   const auto until = [&](double last) {
@@ -148,7 +148,7 @@ TEST(Attractor, RowsTooFarApartTellNoWhirl) {
   EXPECT_NEAR(coarse.spin_speed, 1204.0, 1e-6);
 }
 
-// Too few rows: nothing is known, which is not 0; the spin is, by its angle.
+// Too few rows: the whirl is unknown, which is not 0; the angle gives the spin.
 TEST(Attractor, FewRowsTellNothing) {
   const Settled s = settled(hand_made(50, 1e-3, [](double t) { return sliding({}, t); }));
   EXPECT_EQ(s.attractor, Attractor::kUnknown);
