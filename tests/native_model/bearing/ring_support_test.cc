@@ -1,4 +1,4 @@
-// The laws of what carries the ring, each against a sum, an integral or a closed form.
+// The laws of the ring's support, each against a sum, an integral or a closed form.
 #include "native_model/bearing/ring_support.h"
 
 #include <gtest/gtest.h>

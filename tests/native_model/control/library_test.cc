@@ -1,4 +1,4 @@
-// A controller of the user's own: found, loaded, told, refused, and ended with a word where it
+// A user's controller: finding and loading it, its measurements, refusals, and the message if it
 // fails.
 #include "native_model/control/library.h"
 #include "native_model/prepare/prepare.h"
@@ -101,7 +101,7 @@ TEST(Library, IsRefusedWithoutASampleTimeAndConfigByOtherKinds) {
               {"controller.config", "belongs to kind = \"library\""});
 }
 
-// With every integrator the run ends at the sample that failed, also at the first one, and its
+// With every integrator the run ends at the sample that failed, also at the first one, and the
 // message has the name and the time.
 TEST(Library, AFailureEndsTheRunWithNameAndTime) {
   const std::pair<std::string, const char*> faults[] = {{"step", "the encoder is lost"},
