@@ -60,7 +60,7 @@ TEST(Coulomb, AnUnsymmetricMatrixMayHaveNoSolution) {
 }
 
 // ---------------------------------------------------------------- kinematics
-// Where straight paths meet the circle, and which normal a contact has that they close.
+// The intersection of straight paths with the circle, and the normal of a contact that they close.
 
 constexpr double kRing = 0.5e-3;  // m
 

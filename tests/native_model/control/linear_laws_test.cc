@@ -182,7 +182,7 @@ TEST(LqrLqg, StandAboutTheRotorWhereTheRingIsOffset) {
 }
 
 // ---------------------------------------------------------------- radial tracking
-// The wanted gap: ends, smoothness, and that it never asks for a closed gap before its time.
+// The wanted gap: its ends, its smoothness, and that it is never closed before its time.
 
 constexpr double kGap = 0.5e-3, kTime = 0.008;
 const SwitchOn kAtRest{0.1, kGap, 0.0};

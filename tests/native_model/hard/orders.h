@@ -37,8 +37,7 @@ inline std::vector<double> steps() {
 }
 
 // ---------------------------------------------------------------- what is refused
-// A part, or a pair, that a scheme refuses, with the words that its message must hold. Empty: none
-// is.
+// A part, or a pair, that a scheme refuses, with words of the message. Empty: none is refused.
 struct Refusal {
   Integrator integrator;
   const char* part;

@@ -123,8 +123,7 @@ TEST(LongTriple, UnbalanceOnAMotor) {
 }
 
 // ---------------------------------------------------------------- features of the contact
-// What a contact can do (rebound, stick, lift off, reverse), by the fixed-step schemes against
-// `event`.
+// Rebound, stick, separation and reversal of a contact, by the fixed-step schemes against `event`.
 
 // Overrides of the modal base (tests/support/pair_parts.h), each with a condition that the
 // reference run must meet.

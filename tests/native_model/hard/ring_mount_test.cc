@@ -210,7 +210,7 @@ TEST(RingMount, ARingThatReachesItsHousingEndsTheRun) {
 }
 
 // ---------------------------------------------------------------- dry friction
-// A ring that dry friction alone brakes: m v^2/2 + F (x - d (1 - exp(-x/d))) is constant.
+// Only dry friction brakes the ring: m v^2/2 + F (x - d (1 - exp(-x/d))) is constant.
 double braking_error(const Trajectory& t) {
   constexpr double kForce = 60.0, kWay = 5e-5;
   const auto work = [&](std::size_t k) {

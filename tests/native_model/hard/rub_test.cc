@@ -198,8 +198,8 @@ TEST(HardAttractors, TheSameFromTheSameStart) {
 }
 
 // ---------------------------------------------------------------- whip
-// Backward whip on an elastic ring by whole runs: where it settles, and on which side of a
-// watershed a start lies.
+// Backward whip on an elastic ring in whole runs: where it settles, and on which side of a
+// watershed a start is.
 
 TEST(HardWhip, TheShippedStartIsTheWhirlAt450) {
   const scene::Scene scene = test::shipped("bench_whip");

@@ -173,7 +173,7 @@ TEST(TurningRing, WithoutDragRollingBeginsWhenTheClosedFormSays) {
 }
 
 // ---------------------------------------------------------------- whip
-// Friction drives it; a ring that runs along takes it away.
+// Friction drives a whip; a ring that turns with it removes the friction.
 TEST(TurningRing, TheWhipDiesOnAFreeRing) {
   scene::Scene s = test::shipped("bench_whip");
   s.first().stator->spin = scene::RingSpin{7e-4, 1e-3, 0.0};
