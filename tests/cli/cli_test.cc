@@ -11,7 +11,7 @@
 namespace rotorub::test {
 namespace {
 
-TEST(Cli, WithoutACommandItIsUsage) {
+TEST(Cli, WithoutACommandPrintsTheUsage) {
   const Folder folder;
   folder.refuses({});
   folder.refuses({"rnu", shipped("bench_drop")},

@@ -244,7 +244,7 @@ class CliForeignLibrary : public testing::Test {
   Folder folder_;
 };
 
-TEST_F(CliForeignLibrary, IsNotOpenedUnasked) {
+TEST_F(CliForeignLibrary, IsNotOpenedWithoutPermission) {
   const std::vector<std::vector<std::string>> commands{
       {"run", "scene.toml"},     {"run", "scene.toml", "--engine", "mujoco"},
       {"compare", "scene.toml"}, {"bench", "scene.toml"},
@@ -267,7 +267,7 @@ TEST_F(CliForeignLibrary, IsOpenedWhereTheUserSaysSo) {
   EXPECT_EQ(done.code, 2) << "it is no controller";
 }
 
-TEST_F(CliForeignLibrary, IsNoMatterOfShowing) {
+TEST_F(CliForeignLibrary, IsNotNeededToShowResults) {
   ASSERT_EQ(folder_.run({"run", shipped("bench_ring"), "--end", "10 ms", "-o", "results"}).code, 0);
   // Results whose scene names a foreign library.
   std::filesystem::copy_file(folder_.path() / "scene.toml", folder_.path() / "results/scene.toml",

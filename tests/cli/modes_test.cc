@@ -21,7 +21,7 @@ TEST(CliModesPage, IsOneWholeFile) {
 
 // The effective mass at the contact is in the table and in the JSON, with as few modes as a
 // tolerance allows.
-TEST(CliModes, SaysWhatAnImpactMeets) {
+TEST(CliModes, PrintsTheEffectiveMassAtTheContact) {
   const Folder folder;
   const std::string rig = shipped("paper_passive");
   const Outcome table = folder.done({"modes", rig});

@@ -12,7 +12,7 @@ namespace {
 
 const Surroundings kFullDevice{{}, "/dev/full"};
 
-TEST(CliOutput, LostIsAFailureThatIsSaid) {
+TEST(CliOutput, LostOutputIsAReportedFailure) {
   const std::string ring = shipped("bench_ring"), drop = shipped("bench_drop");
   for (const std::vector<std::string>& arguments :
        std::vector<std::vector<std::string>>{{"mjcf", ring},
@@ -33,7 +33,7 @@ TEST(CliOutput, LostIsAFailureThatIsSaid) {
 }
 
 // The same for commands that print at the end of their work.
-TEST(CliOutput, LostOfLongerWorkToo) {
+TEST(CliOutput, LostOutputAfterLongWorkIsAFailure) {
   const Folder folder;
   const std::string ring = shipped("bench_ring"), drop = shipped("bench_drop");
   folder.done({"run", drop, "--end", "1ms", "-o", "kept", "-q"});
@@ -72,7 +72,7 @@ TEST(CliOutput, OfAQuietRunCannotBeLost) {
 }
 
 // The first failure determines the exit code.
-TEST(CliOutput, LostBesideBadInputIsBadInput) {
+TEST(CliOutput, BadInputHasPrecedenceOverLostOutput) {
   const Folder folder;
   EXPECT_EQ(folder.run({"run", "missing.toml"}, kFullDevice).code, 2);
 }

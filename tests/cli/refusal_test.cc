@@ -144,7 +144,7 @@ TEST(CliRefusal, NotOfAStepThatDoesNotMatter) {
   folder.done(with(run, {"--end", "1us", "--engine", "mujoco"}));
 }
 
-TEST(CliRefusal, OfWhatOnlyTheModelShowsNamesTheLine) {
+TEST(CliRefusal, OfErrorsFoundInTheModelNamesTheLine) {
   const Folder folder;
   std::ofstream(folder.path() / "shaft.toml") << R"([run]
 end = 0.1
@@ -246,7 +246,7 @@ TEST(CliRefusal, NotesAStepThatHasNoEffect) {
   EXPECT_EQ(folder.done(with(picture, {"--set", "run.integrator=verlet"})).err, "");
 }
 
-TEST(CliRefusal, OfNumbersThatNoMachineHas) {
+TEST(CliRefusal, OfImpossibleNumbers) {
   const Folder folder;
   const std::string ring = shipped("bench_ring");
   expect_refused(folder, {"mjcf", ring, "--set", "contact.clearance=1e308"},

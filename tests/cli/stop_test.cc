@@ -114,7 +114,7 @@ void expect_failure_of_encoder(const std::string& does, const std::string& said)
   EXPECT_TRUE(contains(failed.err, "film.mp4: " + said));
   EXPECT_EQ(folder.files(), std::vector<std::string>{"bin/ffmpeg"});
 }
-TEST(CliStop, AnEncoderThatFailsIsAFailureThatIsSaid) {
+TEST(CliStop, AFailingEncoderIsAReportedFailure) {
   expect_failure_of_encoder("cat >/dev/null; echo 'disc full' >&2; exit 3",
                             "ffmpeg failed (3): disc full");
 }

@@ -167,7 +167,7 @@ TEST(Sweep, AnotherStudyInTheSameFolderIsRefused) {
 
 // The notes about old words name the study, its values or its scene, as those of run and compare
 // do.
-TEST(Sweep, SaysThatAWordIsOld) {
+TEST(Sweep, NotesOldWords) {
   const Folder folder;
   const auto told = [&](const std::string& vary, const std::string& run, const std::string& set) {
     folder.write("study.toml", "scene = \"" + shipped("bench_drop") +

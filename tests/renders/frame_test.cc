@@ -211,7 +211,7 @@ TEST(Frame, RunsSideBySideAreDrawnAlike) {
   EXPECT_FALSE(same(pair, twice));
 }
 
-TEST(Frame, EveryViewOfTheContactIsAPictureOfItsOwn) {
+TEST(Frame, EveryViewOfTheContactIsAnotherPicture) {
   const scene::Scene scene = ring_scene();
   const Trajectory run = whirling_run();
   std::vector<Picture> pictures;

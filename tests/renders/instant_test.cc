@@ -57,7 +57,7 @@ TEST(Scales, AForceOfNothingDoesNotSpreadTheScale) {
   EXPECT_GT(scales.force.low, 1e-6);
 }
 
-TEST(Scales, WhatIsBeyondIsClippedAndToldSo) {
+TEST(Scales, ValuesBeyondTheScaleAreClippedAndMarked) {
   Trajectory run = made_run(1001, [](double t) {
     return Row{.rotor_x = kClearance, .normal_force = t < 0.0005 ? 5000.0 : 100.0};
   });

@@ -84,7 +84,7 @@ TEST(Continued, TakesOverASpeedThatTheNextSceneHasOfItsOwn) {
   EXPECT_EQ(continued(faster, s, run).rotor.speed, 400.0);
 }
 
-TEST(Continued, SaysWhatItCannotTakeOver) {
+TEST(Continued, ReportsValuesThatItCannotContinue) {
   EXPECT_EQ(not_continued(rubbing_jeffcott()), "");
   scene::Scene s = rubbing_jeffcott();
   s.first().controller.emplace().kind = scene::ControllerKind::kSliding;

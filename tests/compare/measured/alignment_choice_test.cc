@@ -124,7 +124,7 @@ TEST(AlignmentChoice, RefusesAMotionOfAnotherSize) {
 
 // Another part of the record fits as well as the part that equals the run; the output says that
 // there is another.
-TEST(AlignmentChoice, SaysWhereTheShapeIsAnother) {
+TEST(AlignmentChoice, ReportsPartsOfAnotherShape) {
   const Trajectory run = run_of(lost_blade, 0.15);
   const Alignment a = align(sensed(lost_blade, {.gain = 5.0}), SampledRun(run), {});
   ASSERT_TRUE(a.other_size);

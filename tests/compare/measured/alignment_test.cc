@@ -80,7 +80,7 @@ TEST(Alignment, FindsTheClockAndTheFrame) {
 
 // The error that it states is the error that it makes: over seeds, squares of error / stated follow
 // chi^2 with as many freedoms; 99.9 % of it lies between the bounds.
-TEST(AlignmentLong, StatesTheErrorThatNoiseMakes) {
+TEST(AlignmentLong, EstimatesTheErrorOfNoise) {
   constexpr int kSeeds = 40;
   constexpr double kLow = 17.9 / kSeeds,
                    kHigh = 73.4 / kSeeds;  // 0.1 % and 99.9 % of chi^2 with 40
@@ -105,7 +105,7 @@ TEST(AlignmentLong, StatesTheErrorThatNoiseMakes) {
 
 // A model that is wrong leaves what is not noise, and is laid in wrongly by more than noise would:
 // stated is what stretches of the record scatter by.
-TEST(Alignment, StatesTheErrorThatAWrongModelMakes) {
+TEST(Alignment, EstimatesTheErrorOfAWrongModel) {
   double most = 0.0;
   for (const char* wrong : {"contact.friction=0.33", "contact.friction=0.27",
                             "contact.restitution=0.4", "stator.stiffness=1.2e5"}) {
@@ -144,7 +144,7 @@ TEST(Alignment, ClippedSamplesDoNotPull) {
   EXPECT_GT(std::abs(naive.angle - sensors.angle), 1e-3);
 }
 
-TEST(Alignment, TakesWhatItIsTold) {
+TEST(Alignment, UsesTheGivenShiftAndAngle) {
   Sensors sensors;
   sensors.shift = 2e-3;
   sensors.angle = 0.3;
@@ -160,7 +160,7 @@ TEST(Alignment, TakesWhatItIsTold) {
 }
 
 // One signal of any kind is enough.
-TEST(Alignment, FindsTheClockByWhatThereIs) {
+TEST(Alignment, FindsTheClockFromAnyColumn) {
   Sensors sensors;
   sensors.shift = 1.5e-3;
   const MeasuredRecord whole = record_of(seen(sensors), sensors);
@@ -194,7 +194,7 @@ Trajectory circle() {
 
 // On a circle a turn of the frame equals a shift: the frame is taken as the scene's, and all turns
 // of the run look alike.
-TEST(Alignment, SaysWhatACircleDoesNotTell) {
+TEST(Alignment, ReportsThatACircleLeavesTheAngleOpen) {
   const Trajectory run = circle();
   std::string text = "t [s],rotor_x [m],rotor_y [m]\n";
   for (int k = 0; k < 1200; ++k) {
@@ -246,7 +246,7 @@ TEST(Alignment, TellsShiftAndTurnApartNearACircle) {
   }
 }
 
-TEST(Alignment, HasAShiftToFindOnlyWhereSomethingMoves) {
+TEST(Alignment, RefusesAMotionAtRest) {
   std::string text = "t [s],rotor_x [m],rotor_y [m]\n";
   for (int k = 0; k < 100; ++k) text += fmt::format("{},0,0\n", k * 1e-3);
   EXPECT_THROW(align(parse_measured(text, "still.csv"), SampledRun(circle()), {}), MeasuredError);

@@ -67,14 +67,14 @@ TEST(AboveModes, ImpactsBringTheirFrictionWork) {
   EXPECT_EQ(above.contact_share, 0.0);
 }
 
-TEST(AboveModes, OfNothingIsNothing) {
+TEST(AboveModes, IsEmptyWithoutContact) {
   const AboveModes none = above_modes(hand_made(3, 0.1, [](double) { return test::Row{}; }), kBand);
   EXPECT_EQ(none.contact_share, 0.0);
   EXPECT_EQ(none.friction_share, 0.0);
   EXPECT_EQ(none.fastest, 0.0);
 }
 
-TEST(AboveModes, IsAskedOfShaftsAlone) {
+TEST(AboveModes, IsEmptyForModalData) {
   EXPECT_FALSE(mode_band(test::shipped("bench_whip")).has_value());
 }
 

@@ -90,7 +90,7 @@ TEST(Attractor, ImpactsAloneAreBouncesToo) {
 }
 
 // A rub that has ended does not count; a bouncing rotor that is in flight at the end does.
-TEST(Attractor, WhatHasEndedIsNoContact) {
+TEST(Attractor, IgnoresContactThatHasEnded) {
   const Whirl w;
   const auto until = [&](double last) {
     return settled(hand_made(1000, 1e-3, [&](double t) {
@@ -130,7 +130,7 @@ TEST(Attractor, RollingIsBackward) {
 
 // An orbit that is longer than it is wide, in rows of many turns each: its rate at two rows does
 // not tell how often it went round between them.
-TEST(Attractor, RowsTooFarApartTellNoWhirl) {
+TEST(Attractor, HasNoWhirlIfRowsAreTooFarApart) {
   const auto of = [](double spacing) {
     return settled(hand_made(1000, spacing, [](double t) {
       constexpr double kRate = 1204.0;
@@ -149,7 +149,7 @@ TEST(Attractor, RowsTooFarApartTellNoWhirl) {
 }
 
 // Too few rows: the whirl is unknown, which is not 0; the angle gives the spin.
-TEST(Attractor, FewRowsTellNothing) {
+TEST(Attractor, IsUnknownWithFewRows) {
   const Settled s = settled(hand_made(50, 1e-3, [](double t) { return sliding({}, t); }));
   EXPECT_EQ(s.attractor, Attractor::kUnknown);
   EXPECT_TRUE(std::isnan(s.whirl_frequency));

@@ -55,7 +55,7 @@ TEST(FigureLimit, WithinTheToleranceIsConverged) {
 
 // 1 + 3/n: 12 modes leave out 20 % of the first value; beyond 24 a tenth of it remains, exactly
 // reported.
-TEST(FigureLimit, ASumOverModesIsATrendAndItsRestIsTold) {
+TEST(FigureLimit, ASumOverModesIsATrendWithItsRemainder) {
   const FigureLimit f = of("peak_force", [](int n) { return 1.0 + 3.0 / n; });
   EXPECT_EQ(f.convergence, Convergence::kTrend);
   EXPECT_NEAR(f.error.value(), 0.2, 1e-12);

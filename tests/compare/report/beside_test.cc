@@ -83,7 +83,7 @@ TEST_F(BesideFolder, FindsWhatTheCommandsLeft) {
   EXPECT_EQ(beside.sweeps[0], json::parse(kMap));
 }
 
-TEST_F(BesideFolder, RefusesWhatTheyDidNot) {
+TEST_F(BesideFolder, RefusesOtherFolders) {
   EXPECT_NE(refusal().find("no bench.json, check.json or sweep.json"), std::string::npos);
   top.write("x/bench.json", "{");
   EXPECT_NE(refusal().find("x/bench.json"), std::string::npos) << refusal();

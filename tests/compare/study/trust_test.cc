@@ -213,7 +213,7 @@ TEST(AnswerRow, BlamesNoContactModelForAnotherPartsFailure) {
 }
 
 // With several contacts the modal chain has no cone, which readers expect first.
-TEST(AnswerRow, SaysWhyMujocoAloneIsNotAmongThem) {
+TEST(AnswerRow, GivesTheReasonForALeftOutMujocoAlone) {
   SceneComparison c = made_by_hand();
   c.scene.auxiliary.resize(2);
   for (scene::AuxiliaryBearing& at : c.scene.auxiliary) at.contact.emplace();

@@ -71,7 +71,7 @@ TEST(Choice, LuckAndFailuresAreNotTrusted) {
   EXPECT_EQ(failed.wrong(), std::vector<std::string>{"run"});
 }
 
-TEST(Choice, OfNothingIsNothing) {
+TEST(Choice, IsEmptyWithoutCandidates) {
   const Choice choice = choose({});
   EXPECT_FALSE(choice.trusted || choice.next_cheaper || choice.nearest);
 }

@@ -76,7 +76,7 @@ TEST(ConstrainedLaw, AStopAndAnAnchorThatSlipsAreFollowed) {
 }
 
 // A response that jumps over the solution: the failure is reported, and all values are finite.
-TEST(ConstrainedLaw, WhatHasNoSolutionIsTold) {
+TEST(ConstrainedLaw, ReportsThatThereIsNoSolution) {
   Given response([](const Eigen::Vector2d& p) {
     return Eigen::Vector2d((p.x() < 1.0 ? -1.0 : 1.0) + 0.1 * p.x(), 0.0 + p.y());
   });

@@ -231,7 +231,7 @@ TEST(CoupledLaw, WhatIsSharedDoesNotDependOnTheOrder) {
 }
 
 // Two rings at one place jam as one does: a rule for sharing does not remove one of two motions.
-TEST(CoupledLaw, WhatJamsIsAmbiguousHoweverManyShareIt) {
+TEST(CoupledLaw, JammingIsAmbiguousForAnyNumberOfContacts) {
   for (const int contacts : {1, 2, 3}) {
     const auto rows = static_cast<Eigen::Index>(2 * contacts);
     ContactMatrix a(rows, rows);
@@ -275,7 +275,7 @@ TEST(CoupledLaw, ContactsThatAreNearlyAlikeHaveOneMotion) {
 }
 
 // A body that cannot move gets no impulse, and this is reported.
-TEST(CoupledLaw, WhatCannotMoveHasNoSolution) {
+TEST(CoupledLaw, ABodyThatCannotMoveHasNoSolution) {
   const ContactMatrix a = ContactMatrix::Zero(4, 4);
   ContactVector b(4);
   b << -1.0, 0.5, -1.0, 0.5;

@@ -265,7 +265,7 @@ TEST(DiscLaw, TwoContactsThatAreNearlyOne) {
 
 // Two rings about a body that cannot tilt: the motion is unique, and each ring takes half, also
 // along the axis.
-TEST(DiscLaw, WhatIsSharedIsSharedAlike) {
+TEST(DiscLaw, ContactsAtOnePlaceShareEqually) {
   ContactMatrix a(6, 6);
   const Eigen::Matrix3d one = Eigen::Vector3d(0.5, 0.7, 0.6).asDiagonal();
   a << one, one, one, one;
@@ -281,7 +281,7 @@ TEST(DiscLaw, WhatIsSharedIsSharedAlike) {
   }
 }
 
-TEST(DiscLaw, WhatCannotOpenHasNoSolution) {
+TEST(DiscLaw, AContactThatCannotOpenHasNoSolution) {
   const ContactMatrix a = Eigen::Vector3d(0.0, 1.0, 1.0).asDiagonal();
   EXPECT_EQ(solve_discs(a, Eigen::Vector3d(-1.0, 0.5, 0.5), std::vector<DiscSet>(1)).solutions, 0);
 }

@@ -125,7 +125,7 @@ TEST(ControlLoop, TriggersAtOnceInLastingContact) {
   EXPECT_TRUE(run.loop.sample(near, run.memory.data()).isZero(0.0)) << "0.1 um off the ring";
 }
 
-TEST(ControlLoop, ARotorThatTurnsBackBeforeTheRingIsNoTouch) {
+TEST(ControlLoop, DoesNotTriggerIfTheRotorTurnsBackBeforeTheRing) {
   scene::Trigger trigger;
   trigger.touch = true;
   Trial run(trigger);
@@ -170,7 +170,7 @@ std::vector<Measurement> shown(const scene::Sensors& settings, int samples) {
   return all;
 }
 
-TEST(Sensors, WhatIsNotMeasuredIsZeroAndSaidSo) {
+TEST(Sensors, UnmeasuredValuesAreZeroAndNotListed) {
   scene::Sensors s;
   s.rotor = s.spin = s.current = false;
   const Measurement m = shown(s, 1).front();
@@ -335,7 +335,7 @@ TEST(SlidingController, LastingContactCarriesThePreload) {
 // The reference rig from the switch-on to 50 ms after the touch. The more modes, the less the rotor
 // weighs at the contact: 1.2 kg with 2, 0.30 kg with 12. Where the law gives the actuator the
 // preload itself, the contact keeps 10.4 N of 20 N with 2, 3.3 N with 12.
-TEST(SlidingController, ForceDoesNotHangOnTheModesOfItsPlant) {
+TEST(SlidingController, ForceDoesNotDependOnTheModesOfItsPlant) {
   for (const int modes : {2, 6, 10}) {
     SCOPED_TRACE(modes);
     scene::Scene s = test::shipped("paper_sliding", {"run.end=0.157"});

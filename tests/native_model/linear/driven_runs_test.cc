@@ -163,7 +163,7 @@ TEST(DrivenRuns, TheMirroredMotorKeepsTheMirroredRolling) {
 
 // Under a motor with a falling target speed two of the three rollings meet and disappear: until
 // then both are reported, however close they are.
-TEST(DrivenRuns, TwoRollingsAreToldUntilTheyMeet) {
+TEST(DrivenRuns, BothRollingsAreReportedUntilTheyMeet) {
   scene::Scene s = rolling_rig();
   const auto all_at = [&s](double speed) {
     s.drive->speed = speed;

@@ -62,7 +62,7 @@ double left_out(scene::Scene s, int n) {
   return worst;
 }
 
-TEST(AutoModes, IsTheLeastNumberThatDoes) {
+TEST(AutoModes, IsTheLeastSufficientNumber) {
   for (const auto& [sleeve, tolerance] :
        std::vector<std::pair<double, double>>{{5.0, 0.02}, {2.0, 0.05}, {0.2, 0.5}}) {
     SCOPED_TRACE(sleeve);
@@ -161,7 +161,7 @@ TEST(ContactMass, IsThatOfTheContactWhoseImpactsLeaveOutMost) {
   EXPECT_NEAR(swapped.mesh, mass.mesh, 1e-9 * mass.mesh);
 }
 
-TEST(ContactMass, IsNotAskedOfModalData) {
+TEST(ContactMass, IsUnknownForModalData) {
   EXPECT_FALSE(contact_mass(test::shipped("bench_ring")));
 }
 

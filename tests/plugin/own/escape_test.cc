@@ -66,7 +66,7 @@ TEST_F(Escape, OfAModelOfOnesOwn) {
 }
 
 // No shipped scene is reported, at its own step and at ten times that.
-TEST_F(Escape, IsNoMatterOfARub) {
+TEST_F(Escape, IsNotReportedInARub) {
   for (const char* name :
        {"bench_ring", "bench_whip", "bench_billiard", "touchdown_ball_bearing", "blade_loss"}) {
     for (const char* step : {"run.step=1e-5", "run.step=1e-4"}) {
