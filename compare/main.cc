@@ -14,7 +14,6 @@
 #include "compare/commands/command.h"
 #include "compare/commands/command_line.h"
 #include "compare/commands/terminal.h"
-#include "compare/engine/engine.h"
 #include "compare/run_files/run_directory.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/text.h"
@@ -65,8 +64,6 @@ int run(const Action& action) {
   } catch (const BrokenRun& error) {
     return failed(kBadInput, error.what());
   } catch (const MissingColumn& error) {
-    return failed(kBadInput, error.what());
-  } catch (const NotOffered& error) {
     return failed(kBadInput, error.what());
   } catch (const std::invalid_argument& error) {
     return failed(kBadInput, error.what());

@@ -32,13 +32,36 @@ constexpr double kRadiusWithoutContact = 0.02;
 // mark ends at 0.1575, and the ring's face is at 0.135.
 constexpr double kOverRotor = 0.165, kOverRing = 0.142, kHalf = 0.003;
 
+// Geoms that are only drawn: they have no mass and touch nothing. Lengths are in m.
+std::string drawn_cylinder(const std::string& name, double radius, double half,
+                           const char* colour) {
+  return fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
+                     R"(conaffinity="0" group="1" rgba="{}"/>)",
+                     name, radius, half, colour);
+}
+
+// centre: x and z. half: half lengths of the edges.
+std::string drawn_box(const std::string& name, const Eigen::Vector2d& centre,
+                      const Eigen::Vector3d& half, const char* colour) {
+  return fmt::format(R"(<geom name="{}" type="box" pos="{} 0 {}" size="{} {} {}" )"
+                     R"(mass="0" contype="0" conaffinity="0" group="1" rgba="{}"/>)",
+                     name, centre.x(), centre.y(), half.x(), half.y(), half.z(), colour);
+}
+
+constexpr const char* kRotorColour = "0.72 0.74 0.78 1";
+
+// Represents the rotor's disc in the contact pair; its size has no meaning.
+std::string contact_sphere(std::size_t bearing, double radius) {
+  return fmt::format(R"(<geom name="{}" type="sphere" size="{}" mass="0" contype="0" )"
+                     R"(conaffinity="0" group="4"/>)",
+                     names::of_bearing(bearing, names::kRotorContact), 0.1 * radius);
+}
+
 void write_ghost(XmlWriter& xml, const char* name, const Eigen::Vector3d& at, double radius,
                  double half, const char* colour) {
   xml.open(
       fmt::format(R"(<body name="{}" mocap="true" pos="{} {} {}">)", name, at.x(), at.y(), at.z()));
-  xml.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
-                       R"(conaffinity="0" group="1" rgba="{}"/>)",
-                       name, radius, half, colour));
+  xml.line(drawn_cylinder(name, radius, half, colour));
   xml.close("body");
 }
 
@@ -114,6 +137,12 @@ class Bodies {
     }
   }
 
+  // z of a contact, m. The plane of the first contact is z = 0.
+  double contact_plane(std::size_t k) const {
+    if (k == 0) return 0.0;
+    return scene_.auxiliary[k].contact->station - scene_.first().contact->station;
+  }
+
   void rotor() {
     bending_joints(1.0);
     if (model_.layout.spin) joint(names::kSpinJoint, "hinge", "0 0 1", model_.layout.phi());
@@ -126,19 +155,14 @@ class Bodies {
   // The rotor at a further contact. The modes move it by values other than 1 and 0, so the plugin
   // places it.
   void rotor_beside(std::size_t k) {
-    const scene::Contact& contact = *scene_.auxiliary[k].contact;
     const Eigen::Vector2d at = rotor_point(model_, model_.q0.data(), k);
-    const double r = drawn_radius(scene_, k), z = contact.station - scene_.first().contact->station;
-    const auto named = [k](const char* name) { return names::of_bearing(k, name); };
-    xml_.open(fmt::format(R"(<body name="{}" mocap="true" pos="{} {} {}">)", named(names::kRotor),
-                          at.x(), at.y(), z));
+    const double r = drawn_radius(scene_, k);
+    const std::string name = names::of_bearing(k, names::kRotor);
+    xml_.open(fmt::format(R"(<body name="{}" mocap="true" pos="{} {} {}">)", name, at.x(), at.y(),
+                          contact_plane(k)));
     xml_.line(massless_);
-    xml_.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
-                          R"(conaffinity="0" group="1" rgba="0.72 0.74 0.78 1"/>)",
-                          named(names::kRotor), r, kThickness * r));
-    xml_.line(fmt::format(R"(<geom name="{}" type="sphere" size="{}" mass="0" contype="0" )"
-                          R"(conaffinity="0" group="4"/>)",
-                          named(names::kRotorContact), 0.1 * r));
+    xml_.line(drawn_cylinder(name, r, kThickness * r, kRotorColour));
+    xml_.line(contact_sphere(k, r));
     xml_.close("body");
   }
 
@@ -171,22 +195,23 @@ class Bodies {
     // After the slides, so that it does not turn their axes.
     if (at.turns()) joint(named(names::kRingSpin), "hinge", "0 0 1", at.ring_angle);
     const Eigen::Vector2d& offset = at.ring_offset;
-    // The plane of the first contact is z = 0.
-    const double z = k == 0 ? 0.0 : bearing.contact->station - scene_.first().contact->station;
+    const double z = contact_plane(k);
     const std::string place = offset.isZero(0.0) && z == 0.0
                                   ? std::string()
                                   : fmt::format(R"( pos="{} {} {}")", offset.x(), offset.y(), z);
     // Massless even if fixed, because MuJoCo includes it in the world's mass.
     open_moving_body(named(names::kRing).c_str(), place);
     const double clearance = bearing.contact ? bearing.contact->clearance : 0.0;
-    xml_.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
-                          R"(conaffinity="0" group="1" rgba="0.2 0.45 0.7 0.25"/>)",
-                          named(names::kRing), radius + clearance, 0.9 * half));
-    if (at.turns()) ring_mark(named("ring_mark"), radius + clearance, half);
+    const double bore = radius + clearance;
+    xml_.line(drawn_cylinder(named(names::kRing), bore, 0.9 * half, "0.2 0.45 0.7 0.25"));
+    if (at.turns()) {  // a mark that shows the ring's rotation
+      xml_.line(drawn_box(named("ring_mark"), {1.06 * bore, half},
+                          {0.05 * bore, 0.03 * bore, 0.05 * half}, "0.95 0.75 0.1 1"));
+    }
     if (bearing.contact) {
       // A rod half its length above the plane. It is far from the rotor's sphere, but its bounding
       // sphere always contains it.
-      const double length = 1.0 + 1000.0 * (radius + clearance);
+      const double length = 1.0 + 1000.0 * bore;
       xml_.line(fmt::format(R"(<geom name="{}" type="capsule" fromto="{} 0 {} {} 0 {}" )"
                             R"(size="{}" mass="0" contype="0" conaffinity="0" group="4"/>)",
                             named(names::kRingContact), -length, 0.5 * length, length, 0.5 * length,
@@ -202,14 +227,12 @@ class Bodies {
     const auto named = [k](const char* name) { return names::of_bearing(k, name); };
     joint(named(names::kHousingX), "slide", "1 0 0", at.housing);
     joint(named(names::kHousingY), "slide", "0 1 0", at.housing + 1);
-    const double z =
-        k == 0 ? 0.0 : scene_.auxiliary[k].contact->station - scene_.first().contact->station;
     open_moving_body(named(names::kHousing).c_str(),
-                     fmt::format(R"( pos="{} {} {}")", at.ring_offset.x(), at.ring_offset.y(), z));
+                     fmt::format(R"( pos="{} {} {}")", at.ring_offset.x(), at.ring_offset.y(),
+                                 contact_plane(k)));
     const double radius = drawn_radius(scene_, k);
-    xml_.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
-                          R"(conaffinity="0" group="1" rgba="0.35 0.35 0.4 0.2"/>)",
-                          named(names::kHousing), 1.3 * radius, 0.5 * kThickness * radius));
+    xml_.line(drawn_cylinder(named(names::kHousing), 1.3 * radius, 0.5 * kThickness * radius,
+                             "0.35 0.35 0.4 0.2"));
     close_moving_body();
   }
 
@@ -239,14 +262,6 @@ class Bodies {
     }
   }
 
-  // A mark that shows the ring's rotation.
-  void ring_mark(const std::string& name, double bore, double half) {
-    xml_.line(fmt::format(R"(<geom name="{}" type="box" pos="{} 0 {}" size="{} {} {}" )"
-                          R"(mass="0" contype="0" conaffinity="0" group="1" )"
-                          R"(rgba="0.95 0.75 0.1 1"/>)",
-                          name, 1.06 * bore, half, 0.05 * bore, 0.03 * bore, 0.05 * half));
-  }
-
   XmlWriter& xml_;
   const scene::Scene& scene_;
   const Model& model_;
@@ -260,19 +275,11 @@ class Bodies {
 void write_rotor_disc(XmlWriter& xml, const scene::Scene& scene, std::size_t bearing) {
   const double r = drawn_radius(scene, bearing), half = kThickness * r;
   const auto named = [bearing](const char* name) { return names::of_bearing(bearing, name); };
-  xml.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
-                       R"(conaffinity="0" group="1" rgba="0.72 0.74 0.78 1"/>)",
-                       named(names::kRotor), r, half));
+  xml.line(drawn_cylinder(named(names::kRotor), r, half, kRotorColour));
   // A mark that shows the spin.
-  xml.line(fmt::format(R"(<geom name="{}" type="box" pos="{} 0 {}" size="{} {} {}" )"
-                       R"(mass="0" contype="0" conaffinity="0" group="1" )"
-                       R"(rgba="0.85 0.3 0.1 1"/>)",
-                       named("rotor_mark"), 0.6 * r, half, 0.25 * r, 0.05 * r, 0.05 * half));
-  if (!scene.auxiliary[bearing].contact) return;
-  // Represents the disc in the contact pair; its size has no meaning.
-  xml.line(fmt::format(R"(<geom name="{}" type="sphere" size="{}" mass="0" contype="0" )"
-                       R"(conaffinity="0" group="4"/>)",
-                       named(names::kRotorContact), 0.1 * r));
+  xml.line(drawn_box(named("rotor_mark"), {0.6 * r, half}, {0.25 * r, 0.05 * r, 0.05 * half},
+                     "0.85 0.3 0.1 1"));
+  if (scene.auxiliary[bearing].contact) xml.line(contact_sphere(bearing, r));
 }
 
 void write_bodies(XmlWriter& xml, const scene::Scene& scene, const Model& model,

@@ -1,7 +1,6 @@
 #include "plugin/load_cells.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <type_traits>
 

@@ -1,8 +1,6 @@
 #include "plugin/make_config.h"
 
-#include <algorithm>
 #include <atomic>
-#include <string_view>
 
 #include "mjcf/names.h"
 #include "native_model/model/model_checks.h"

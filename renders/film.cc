@@ -23,56 +23,57 @@ namespace rotorub::renders {
 
 namespace {
 
-constexpr int kMostHands = 4;
+constexpr int kMostThreads = 4;
 constexpr int kAhead = 3;  // frames that a thread may be ahead of the fetched ones
 
 // Paints the frames of a film in order, with several threads. Each thread has its own painter, so
 // that the frames do not depend on the number of threads.
-class FilmCrew {
+class ParallelPainter {
  public:
-  // Throws as FramePainter does. Scene, trajectories and options must outlive the crew.
-  FilmCrew(const scene::Scene& scene, const Trajectory& trajectory, const RenderOptions& options)
-      : own_(scene, trajectory, options),
-        hands_(std::min(hands_of(options), own_.framing().frames)),
-        painted_(static_cast<std::size_t>(own_.framing().frames)) {
-    for (int hand = 0; hand < hands_; ++hand) room_.emplace_back(kAhead);
-    for (int hand = 1; hand < hands_; ++hand) {
-      crew_.emplace_back([&, this, hand] { work(hand, scene, trajectory, options); });
+  // Throws as FramePainter does. Scene, trajectories and options must outlive the painter.
+  ParallelPainter(const scene::Scene& scene, const Trajectory& trajectory,
+                  const RenderOptions& options)
+      : painter_(scene, trajectory, options),
+        workers_(std::min(thread_count(options), painter_.framing().frames)),
+        painted_(static_cast<std::size_t>(painter_.framing().frames)) {
+    for (int worker = 0; worker < workers_; ++worker) free_slots_.emplace_back(kAhead);
+    for (int worker = 1; worker < workers_; ++worker) {
+      threads_.emplace_back([&, this, worker] { work(worker, scene, trajectory, options); });
     }
   }
-  ~FilmCrew() {
+  ~ParallelPainter() {
     stopped_ = true;
-    for (auto& room : room_) room.release();
+    for (auto& slots : free_slots_) slots.release();
   }
-  FilmCrew(const FilmCrew&) = delete;
-  FilmCrew& operator=(const FilmCrew&) = delete;
+  ParallelPainter(const ParallelPainter&) = delete;
+  ParallelPainter& operator=(const ParallelPainter&) = delete;
 
-  const Framing& framing() const { return own_.framing(); }
+  const Framing& framing() const { return painter_.framing(); }
   // The next frame, from the first to the last. Rethrows the exception of its painter.
   Picture next() {
-    const int frame = next_++, hand = frame % hands_;
-    if (hand == 0) return own_.paint(framing().time(frame));
+    const int frame = next_++, worker = frame % workers_;
+    if (worker == 0) return painter_.paint(framing().time(frame));
     Picture picture = painted_[static_cast<std::size_t>(frame)].get_future().get();
-    room_[static_cast<std::size_t>(hand)].release();
+    free_slots_[static_cast<std::size_t>(worker)].release();
     return picture;
   }
 
  private:
-  static int hands_of(const RenderOptions& options) {
+  static int thread_count(const RenderOptions& options) {
     if (options.threads > 0) return options.threads;
-    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMostHands);
+    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMostThreads);
   }
 
-  void work(int hand, const scene::Scene& scene, const Trajectory& trajectory,
+  void work(int worker, const scene::Scene& scene, const Trajectory& trajectory,
             const RenderOptions& options) {
-    int frame = hand;
+    int frame = worker;
     try {
       // MuJoCo's XML reader is not thread-safe.
       std::unique_lock reading(reader_);
       FramePainter painter(scene, trajectory, options);
       reading.unlock();
-      for (; frame < painter.framing().frames; frame += hands_) {
-        room_[static_cast<std::size_t>(hand)].acquire();
+      for (; frame < painter.framing().frames; frame += workers_) {
+        free_slots_[static_cast<std::size_t>(worker)].acquire();
         if (stopped_) return;
         painted_[static_cast<std::size_t>(frame)].set_value(
             painter.paint(painter.framing().time(frame)));
@@ -85,16 +86,16 @@ class FilmCrew {
   // Painters in several threads set this handler and restore the previous one. With this one around
   // all of them, every thread sets and restores the same handler.
   MujocoErrors errors_;
-  // Used by the thread that calls next(), hand 0: frames 0, hands_, 2 hands_, ...
-  FramePainter own_;
-  int hands_ = 1;
+  // Used by the thread that calls next(), worker 0: frames 0, workers_, 2 workers_, ...
+  FramePainter painter_;
+  int workers_ = 1;
   int next_ = 0;
   std::vector<std::promise<Picture>> painted_;  // one per frame
-  // One per hand: room for frames that have not been fetched.
-  std::deque<std::counting_semaphore<>> room_;
+  // One per worker: slots for painted frames that have not been fetched.
+  std::deque<std::counting_semaphore<>> free_slots_;
   std::mutex reader_;
   std::atomic<bool> stopped_ = false;
-  std::vector<std::jthread> crew_;
+  std::vector<std::jthread> threads_;
 };
 
 // GIF times are multiples of 1/100 s, and browsers respect only 2/100 s or more.
@@ -148,13 +149,13 @@ RenderResult render(const scene::Scene& scene, const Trajectory& trajectory,
   const auto start = std::chrono::steady_clock::now();
   const FilmFormat format = format_of(file, {FilmFormat::kMp4, FilmFormat::kGif});
   check_options(options, format);
-  FilmCrew crew(scene, trajectory, options);
-  const Framing framing = crew.framing();
+  ParallelPainter painter(scene, trajectory, options);
+  const Framing framing = painter.framing();
   const bool gif = format == FilmFormat::kGif;
   if (gif) check_gif_length(options, framing.frames);
   VideoFile video(file, options.width, options.height, {gif, options.frames_per_second});
   for (int frame = 0; frame < framing.frames; ++frame) {
-    video.add(crew.next());
+    video.add(painter.next());
     if (options.progress) options.progress(static_cast<double>(frame + 1) / framing.frames);
   }
   video.finish();

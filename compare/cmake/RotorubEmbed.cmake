@@ -2,8 +2,8 @@ set(ROTORUB_EMBED_TEMPLATE "${CMAKE_CURRENT_LIST_DIR}/embed.cc.in")
 
 # rotorub_embed(<target> <name> <file>)
 #
-# Makes the file a part of the target, as the result of `std::string_view rotorub::<name>()`, which a header
-# of the target declares. A change of the file is a change of the target.
+# Embeds the file in the target as the result of `std::string_view rotorub::<name>()`, which a header of the target
+# declares. The target is rebuilt when the file changes.
 function(rotorub_embed target name file)
   cmake_path(ABSOLUTE_PATH file BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
   set(unit "${CMAKE_CURRENT_BINARY_DIR}/${name}.cc")
@@ -15,7 +15,7 @@ endfunction()
 
 # rotorub_embed_packed(<target> <name> <file>)
 #
-# The same, the file as gzip packs it: what a page unpacks when it needs it.
+# Embeds the file compressed with gzip; a page decompresses it when it needs it.
 function(rotorub_embed_packed target name file)
   set(packed "${CMAKE_CURRENT_BINARY_DIR}/${name}.gz")
   add_custom_command(
@@ -28,8 +28,9 @@ endfunction()
 
 # rotorub_bundle(<target> <name> <entry>)
 #
-# Embeds a script with all modules that it imports, bundled and shortened by esbuild for a plain <script>: a page that
-# is opened as a file cannot load modules. A change of any script in the folder of <entry> is a change of the target.
+# Embeds a script with all modules that it imports. esbuild bundles and minifies them for a plain <script>, because a
+# page that is opened as a file cannot load modules. The target is rebuilt when any script in the folder of <entry>
+# changes.
 function(rotorub_bundle target name entry)
   cmake_path(ABSOLUTE_PATH entry BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
   cmake_path(GET entry PARENT_PATH folder)

@@ -1,5 +1,5 @@
-# HDF5, a module that the program loads for `--format hdf5` (compare/hdf5/module.h). Without libhdf5-dev that option
-# says so, and nothing else is missing.
+# The module that the program loads for `--format hdf5` (compare/hdf5/module.h). Without libhdf5-dev it is not built, and
+# that option is refused with the reason.
 pkg_check_modules(ROTORUB_HDF5 QUIET IMPORTED_TARGET hdf5)
 if(ROTORUB_HDF5_FOUND)
   add_library(rotorub_hdf5 MODULE hdf5/image.cc)

@@ -1,9 +1,9 @@
 # rotorub_room(<room> [EXCLUDE <regex>] [USES <room>...] [LINK <target>...])
 #
-# The library rotorub_compare_<room> of the folder compare/<room>. USES: the rooms that its files include, as
-# rotorub_declare_room checks it. LINK: targets from outside compare. The interface target rotorub_compare is all rooms.
+# Makes the library rotorub_compare_<room> from the folder compare/<room>. USES: the rooms that its files include, which
+# rotorub_declare_room checks. LINK: targets from outside compare. The interface target rotorub_compare links all rooms.
 #
-# The precompiled header is the first room's.
+# All rooms use the precompiled header of the first.
 include(RotorubRooms)
 add_library(rotorub_compare INTERFACE)
 

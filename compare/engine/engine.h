@@ -66,16 +66,10 @@ class Engine {
   virtual Trajectory run(const scene::Scene& scene, const RunRequest& request) const = 0;
 };
 
-// The requested engine is not available in this version; the message names the available ones.
-class NotOffered : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 // Sets the status kDiverged if a result is not finite, whatever the integrator reports.
 Trajectory finite(Trajectory trajectory);
 
 std::unique_ptr<Engine> native_engine(scene::Integrator integrator);
-// Throws NotOffered.
 std::unique_ptr<Engine> mujoco_engine(scene::ContactModel contact);
 // MuJoCo's default solref: a time constant and a damping ratio.
 struct DefaultSolref {

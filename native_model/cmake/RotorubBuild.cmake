@@ -1,4 +1,4 @@
-# How everything here is compiled: language, output folders, floating point, sanitizers, warnings.
+# The settings of the compiler for all targets: language, output folders, floating point, sanitizers, warnings.
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -12,13 +12,13 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib")
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib")
 
-# g++ looks for memory to free from its first 128 MB on, which takes a tenth of the time of units with Eigen: from 1 GB on.
-# The largest unit needs 2.6 GB with this, and 2.5 GB without.
+# g++ collects garbage as soon as it uses 128 MB, which takes a tenth of the time of units with Eigen. With this option it
+# begins at 1 GB. The largest unit needs 2.6 GB with it, and 2.5 GB without.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:--param=ggc-min-heapsize=1000000>")
 endif()
 
-# What is installed finds a MuJoCo of MUJOCO_DIR where it was.
+# Installed programs find the MuJoCo of MUJOCO_DIR at the path that the build used.
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 
 if(NOT CMAKE_BUILD_TYPE)
@@ -27,22 +27,22 @@ endif()
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # It keeps units with a precompiled header only when told that it may, and looks into that header only with
+  # ccache caches units with a precompiled header only with this setting, and considers that header only with
   # -fpch-preprocess.
   set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros "${CCACHE_PROGRAM}")
   add_compile_options(-fpch-preprocess)
 endif()
 
-# Nothing here depends on the processor: no contraction to FMA, never -ffast-math or -march=native. Only the C library's
-# sin, pow, ... do, in their last bit (tests/package/frozen has what this may change). No errno, so that square roots
-# of several numbers at once are one instruction.
+# The code does not depend on the processor: no contraction to FMA, no -ffast-math, no -march=native. Only the last bit of
+# the C library's sin, pow, ... does (tests/package/frozen allows for it). Without errno the square roots of several
+# numbers are one instruction.
 add_compile_options(-ffp-contract=off -fno-math-errno)
-# Eigen would split products of matrices by the sizes of this processor's caches, and sum in another order on the
-# next: by its own defaults instead (tests/native_model/numerics/cache_sizes_test.cc).
+# By default Eigen splits products of matrices by the sizes of the processor's caches, so that sums have another order on
+# another processor. This definition makes it use fixed sizes (tests/native_model/numerics/cache_sizes_test.cc).
 add_compile_definitions(EIGEN_NO_CPUID)
 
-# Code for the processor's own instruction set stands beside that for any. With sanitizers every function carries
-# their calls: the least processor's alone.
+# Some functions also have a version for a larger instruction set. With sanitizers only the basic version is compiled,
+# because every function contains calls of the sanitizer.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT ROTORUB_SANITIZE)
   set(ROTORUB_EACH_TARGET ON)
   add_compile_definitions(ROTORUB_EACH_TARGET)
@@ -55,8 +55,8 @@ if(ROTORUB_NAN_INIT)
   add_compile_definitions(EIGEN_INITIALIZE_MATRICES_BY_NAN)
 endif()
 
-# Whoever reads files of others: addresses of functions are bound and locked before main, a stack that was written
-# over is noticed, and so are copies that are too long. (tests/package/hardened_test.py)
+# Protection of a program that reads foreign files: addresses of functions are resolved and made read-only before main, and
+# overwritten stacks and too long copies are detected (tests/package/hardened_test.py).
 if(NOT ROTORUB_SANITIZE)
   add_link_options(-Wl,-z,relro -Wl,-z,now)
   add_compile_options(-fstack-protector-strong)
@@ -70,11 +70,11 @@ if(ROTORUB_SANITIZE)
                       -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${ROTORUB_SANITIZE})
   if(ROTORUB_SANITIZE MATCHES "address")
-    # Matrices are allocated as in a release, whose code may free them (ROTORUB_RELEASE_ARCHIVE); the sanitizer's malloc
-    # aligns to 16 bytes too.
+    # Matrices are allocated as in a release, because its code may free them (ROTORUB_RELEASE_ARCHIVE). The sanitizer's
+    # malloc aligns to 16 bytes too.
     add_compile_definitions(EIGEN_MALLOC_ALREADY_ALIGNED=1)
-    # A quarter of a unit's time for what is found without: a null or dangling object by the address sanitizer,
-    # a misaligned matrix by Eigen's assertion.
+    # These checks would take a quarter of a unit's time. The address sanitizer finds null and dangling objects too, and
+    # Eigen's assertion finds misaligned matrices.
     add_compile_options(-fno-sanitize=null,alignment,object-size,vptr)
     execute_process(
       COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libasan.so
@@ -83,9 +83,9 @@ if(ROTORUB_SANITIZE)
   endif()
 endif()
 
-# rotorub_optimise(<target>): a release compiles it with -O3. Only the integrators run long, natively and in MuJoCo;
-# everything else is compiled with the release's -O1, in half the time. Without semantic interposition a function may be
-# inlined into the others of its unit, although the code is position independent.
+# rotorub_optimise(<target>): a release compiles the target with -O3. Only the integrators run long, natively and in
+# MuJoCo; everything else is compiled with -O1, in half the time. Without semantic interposition a function may be inlined
+# into others of its unit, although the code is position independent.
 function(rotorub_optimise target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O3;-fno-semantic-interposition>)
 endfunction()

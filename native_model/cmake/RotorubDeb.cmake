@@ -1,5 +1,5 @@
 # The Debian package: `cmake --build build --target deb` makes build/package/*.deb.
-# (The target `package` makes it too, after all tests have been built.) Included after every install().
+# (The target `package` also makes it, but builds all tests first.) This file is included after every install().
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME rotorub)
@@ -11,14 +11,14 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
     "Says whether the contact forces of a rub in MuJoCo are physics or the solver. Holds the program, the plugin to preload \
 into MuJoCo's programs, the scenes, and libraries, headers and CMake package for programs and controllers of one's own.")
-# One package, of all but the peers of `rotorub bench`.
+# One package contains everything but the peers of `rotorub bench`.
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL Unspecified headers)
 set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
-# What the program and the plugin are linked with, by dpkg-shlibdeps (dpkg-dev, file).
+# dpkg-shlibdeps (dpkg-dev, file) finds the libraries that the program and the plugin are linked with.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS libosmesa6)  # what it loads itself (renders/stage.cc)
-# Films are coded by ffmpeg; laws in Python need its interpreter; find_package(rotorub) needs Eigen and MuJoCo.
+# ffmpeg encodes films; laws in Python need its interpreter; find_package(rotorub) needs Eigen and MuJoCo.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "ffmpeg, python3, libeigen3-dev, libmujoco-dev, libgl-dev")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, bash-completion, libmujoco-samples")
 set(CPACK_OUTPUT_FILE_PREFIX "${PROJECT_BINARY_DIR}/package")
@@ -28,7 +28,7 @@ set(parts rotorub rotorub_mujoco rotorub_fmu rotorub_manual rotorub_native_model
 if(TARGET rotorub_native)
   list(APPEND parts rotorub_native)
 endif()
-# The native model for pages, with which a page reruns its scene.
+# The native model with which a page reruns its scene.
 if(ROTORUB_EMCMAKE)
   list(APPEND parts rotorub_live)
 else()

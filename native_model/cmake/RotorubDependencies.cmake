@@ -1,6 +1,6 @@
-# Everything from outside, by the folder that first needs it. compare/setup installs the Debian packages.
+# The external dependencies, by the folder that first needs them. compare/setup installs the Debian packages.
 
-# First what compare/setup fetches: where that has not been run, nothing else need be there either.
+# The files that compare/setup fetches come first, because without it the others may be missing too.
 foreach(file plotly-basic.min.js three.module.js esbuild)
   if(NOT EXISTS "${ROTORUB_WEB_DIR}/${file}")
     message(FATAL_ERROR "${ROTORUB_WEB_DIR}/${file} is missing: run compare/setup, which fetches it, "

@@ -1,7 +1,7 @@
-# The public headers: what a program of one's own may include, and what `rotorub` promises to keep or to announce in
-# CHANGELOG.md. They are installed below include/rotorub with their paths: #include "native_model/scene/reader.h".
-# Whatever they include themselves is installed below include/rotorub/internal, where it may change without notice;
-# all other headers are not installed. tests/package/headers_test.py holds all this.
+# The public headers, which users' programs may include. Changes of them are announced in CHANGELOG.md. They are installed
+# below include/rotorub with their paths: #include "native_model/scene/reader.h". Other headers that they include are
+# installed below include/rotorub/internal and may change without notice; all others are not installed.
+# tests/package/headers_test.py checks this.
 
 set(ROTORUB_PUBLIC_HEADERS
     # A scene, and a native run of it.
@@ -32,11 +32,11 @@ set(ROTORUB_PUBLIC_HEADERS
     plugin/inverse.h
     plugin/differences.h
     plugin/linearise.h)
-# What a controller of one's own includes, C and C++: <rotorub/controller.h>.
+# The header of users' controllers in C and C++, <rotorub/controller.h>.
 set(ROTORUB_CONTROLLER_HEADER native_model/control/abi/rotorub/controller.h)
 
-# rotorub_included(<out> <header>...): the headers, paths from the root of the repository, that these include, directly
-# or not, and that are none of these.
+# rotorub_included(<out> <header>...) sets `out` to the other headers that these include, directly or indirectly, as paths
+# from the root of the repository.
 function(rotorub_included out)
   set(seen ${ARGN})
   set(left ${ARGN})
@@ -56,7 +56,7 @@ function(rotorub_included out)
   set(${out} ${seen} PARENT_SCOPE)
 endfunction()
 
-# The component: cmake --install build --component headers.
+# cmake --install build --component headers installs only the headers.
 function(rotorub_install_headers folder)
   foreach(header IN LISTS ARGN)
     cmake_path(GET header PARENT_PATH path)
@@ -68,7 +68,7 @@ rotorub_install_headers(include/rotorub ${ROTORUB_PUBLIC_HEADERS})
 rotorub_install_headers(include/rotorub/internal ${ROTORUB_INTERNAL_HEADERS})
 install(FILES "${PROJECT_SOURCE_DIR}/${ROTORUB_CONTROLLER_HEADER}" DESTINATION include/rotorub COMPONENT headers)
 
-# Their reference, by Doxygen (Debian: doxygen): cmake --build build --target docs; no part of `all`.
+# cmake --build build --target docs builds their reference with Doxygen (Debian: doxygen). It is not part of `all`.
 set(documented ${ROTORUB_PUBLIC_HEADERS} ${ROTORUB_CONTROLLER_HEADER})
 list(TRANSFORM documented PREPEND "${PROJECT_SOURCE_DIR}/")
 list(JOIN documented "\" \"" ROTORUB_DOCUMENTED)

@@ -1,6 +1,6 @@
 # install() and the CMake package `rotorub`:
 #   find_package(rotorub)  ->  rotorub::native_model, rotorub::mjcf, rotorub::plugin (the MuJoCo C++ API)
-# Which headers: RotorubHeaders.
+# RotorubHeaders lists the headers.
 
 include(CMakePackageConfigHelpers)
 
@@ -29,7 +29,7 @@ install(
         "${CMAKE_CURRENT_LIST_DIR}/RotorubMujoco.cmake"
   DESTINATION "${ROTORUB_PACKAGE_DIR}")
 
-# The products of use: the program, the library to preload, the scenes.
+# The program, the library to preload, the scenes.
 install(TARGETS rotorub rotorub_mujoco RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}"
                                        LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 install(
@@ -39,7 +39,7 @@ install(
   PATTERN "*.toml"
   PATTERN "*.xml")
 
-# What stands beside them: manual page, completion, schema for editors, the words.
+# Manual page, completion, schema for editors, and documents.
 set(ROTORUB_MANUAL_DIR "${PROJECT_BINARY_DIR}/manual")
 install(FILES "${ROTORUB_MANUAL_DIR}/rotorub.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
 install(
@@ -47,7 +47,7 @@ install(
   DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions"
   RENAME rotorub)
 install(FILES "${ROTORUB_MANUAL_DIR}/scene.schema.json" DESTINATION "${CMAKE_INSTALL_DATADIR}/rotorub")
-# The documents, in the folders that their links name, and the pictures in them that are not films.
+# The documents, in the folders that their links name, and their pictures except films.
 file(
   GLOB_RECURSE documents
   RELATIVE "${PROJECT_SOURCE_DIR}"

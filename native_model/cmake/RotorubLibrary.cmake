@@ -1,8 +1,8 @@
 # rotorub_library(<name> [FOLDER <folder>] [EXCLUDE <regex>] [PUBLIC <target>...] [PRIVATE <target>...])
 #
-# The static library of the current folder, or of FOLDER in it: every .cc below it but main.cc and what EXCLUDE matches
-# (a regular expression on the path from the current folder). PUBLIC and PRIVATE are what it links. Includes are written from the
-# root of the repository. Compiled folder by folder (RotorubUnity).
+# Makes the static library of the current folder, or of FOLDER in it, from every .cc below it except main.cc and the paths
+# from the current folder that match EXCLUDE (a regular expression). It links PUBLIC and PRIVATE. Includes are relative to
+# the root of the repository. The files of a folder are compiled together (RotorubUnity).
 function(rotorub_library name)
   cmake_parse_arguments(ARG "" "FOLDER;EXCLUDE" "PUBLIC;PRIVATE" ${ARGN})
   set(folder ".")

@@ -1,12 +1,12 @@
 # Finds MuJoCo: Debian's package, or, with MUJOCO_DIR, any release from 2.2.2 to today's (an unpacked release,
-# or the folder of Python's package `mujoco`). Also installed with the package `rotorub`.
+# or the folder of Python's package `mujoco`). The file is also installed with the CMake package `rotorub`.
 
 set(MUJOCO_DIR
     ""
     CACHE PATH "Folder with include/mujoco and libmujoco.so.<version> (in lib or beside); empty: the system's")
 
-# rotorub_import_mujoco(<target> <folder>): the MuJoCo of that folder as an imported target. The library itself,
-# not its link without a version: that of Python's package has none.
+# rotorub_import_mujoco(<target> <folder>) makes the MuJoCo of that folder an imported target. It uses the library with a
+# version in its name, because Python's package has no link without one.
 function(rotorub_import_mujoco target folder)
   file(GLOB libraries "${folder}/lib/libmujoco.so.*" "${folder}/libmujoco.so.*")
   list(LENGTH libraries found)
@@ -19,7 +19,7 @@ function(rotorub_import_mujoco target folder)
                                              INTERFACE_INCLUDE_DIRECTORIES "${folder}/include")
 endfunction()
 
-# rotorub_mujoco_version(<target> <variable>): "2.2.2", of its headers.
+# rotorub_mujoco_version(<target> <variable>) reads the version, such as "2.2.2", from the headers.
 function(rotorub_mujoco_version target variable)
   get_target_property(folders ${target} INTERFACE_INCLUDE_DIRECTORIES)
   find_file(header mujoco/mujoco.h PATHS ${folders} NO_DEFAULT_PATH NO_CACHE REQUIRED)
@@ -48,7 +48,7 @@ else()
   if(NOT TARGET mujoco::mujoco)
     message(FATAL_ERROR "MuJoCo 2.2 or later was not found (Debian: libmujoco-dev with libgl-dev, which it asks for; or MUJOCO_DIR)")
   endif()
-  # Debian's package names the include folder of a libqhull it does not depend on: leave it out.
+  # Debian's package names the include folder of libqhull, on which it does not depend; the folder is removed.
   get_target_property(_rotorub_mujoco_include mujoco::mujoco INTERFACE_INCLUDE_DIRECTORIES)
   list(FILTER _rotorub_mujoco_include EXCLUDE REGEX "libqhull")
   set_target_properties(mujoco::mujoco PROPERTIES INTERFACE_INCLUDE_DIRECTORIES

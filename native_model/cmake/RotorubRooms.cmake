@@ -1,9 +1,8 @@
 # rotorub_declare_room(<room> [USES <room>...])
 #
-# A room is a folder of a part (native_model, plugin, compare), or with the name "." the files that stand in the part's
-# own folder. USES names the rooms of the part that its files include: all of them, no other, and each declared before it,
-# so that no circle is possible. Configuring stops where that is not so; tests/package/rooms_test.py runs the same check
-# on the sources as they are.
+# A room is a folder of a part (native_model, plugin, compare); the room "." has the files in the part's own folder. USES
+# must name exactly the rooms of the part that its files include. Each must be declared before, so that there is no cycle.
+# The configuration fails otherwise; tests/package/rooms_test.py runs the same check on the present sources.
 function(rotorub_declare_room room)
   cmake_parse_arguments(ARG "" "" "USES" ${ARGN})
   cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME part)
@@ -47,7 +46,7 @@ function(rotorub_declare_room room)
   endforeach()
 endfunction()
 
-# rotorub_rooms_are_all([EXCEPT <folder>...]): every folder of the part that holds sources is a room, but for these.
+# rotorub_rooms_are_all([EXCEPT <folder>...]) checks that every folder of the part with sources is a room, except these.
 function(rotorub_rooms_are_all)
   cmake_parse_arguments(ARG "" "" "EXCEPT" ${ARGN})
   cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME part)

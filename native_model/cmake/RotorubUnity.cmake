@@ -1,15 +1,15 @@
-# Several files of a folder as one unit: most of a unit's time goes into the same headers and the same templates
-# (Eigen, nlohmann_json, googletest) again. The sixteen files of compare/sweep: 17 s together, 56 s one by one.
+# Compiles several files of a folder as one unit, because most of a unit's time goes into the same headers and templates
+# (Eigen, nlohmann_json, googletest). The sixteen files of compare/sweep take 17 s together and 56 s one by one.
 #
-# A folder is one unit, or several of equal size. Its files therefore share their anonymous namespaces: a second
-# file that needs a helper takes it from a header, and names that differ in meaning differ in the folder. A file
-# with options or definitions of its own stays alone (CMake sees to that). The preset nan-init builds file by file,
-# which checks that each includes what it uses; -DROTORUB_UNITY=OFF does anywhere, for who edits one file much.
+# A folder is one unit, or several of equal size. Its files therefore share their unnamed namespaces: a name there must be
+# unique in the folder, and a helper that two files need goes into a header. CMake compiles a file with its own options or
+# definitions separately. The preset nan-init compiles each file separately, which checks that each includes what it uses;
+# -DROTORUB_UNITY=OFF does the same in any build and helps when one file is edited often.
 
 option(ROTORUB_UNITY "Compile the files of a folder together" ON)
 set(ROTORUB_UNITY_MOST 16) # files a unit
 
-# rotorub_unity(<target>): the .cc files that the target has by now.
+# rotorub_unity(<target>) combines the .cc files that the target has so far.
 function(rotorub_unity target)
   if(NOT ROTORUB_UNITY)
     return()
@@ -17,7 +17,7 @@ function(rotorub_unity target)
   get_target_property(sources ${target} SOURCES)
   list(FILTER sources INCLUDE REGEX "\\.cc$")
 
-  # files_<folder>, the folder as an identifier
+  # The list is named files_<folder>, with the folder as an identifier.
   set(folders "")
   foreach(source IN LISTS sources)
     cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE folder)

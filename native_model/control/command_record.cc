@@ -5,11 +5,11 @@
 
 namespace rotorub {
 
-void CommandRecord::add(double t, const Eigen::Vector2d& told) {
+void CommandRecord::add(double t, const Eigen::Vector2d& value) {
   assert(begins_.empty() || t > begins_.back());
-  if (told == command(static_cast<std::ptrdiff_t>(begins_.size()) - 1)) return;
+  if (value == command(static_cast<std::ptrdiff_t>(begins_.size()) - 1)) return;
   begins_.push_back(t);
-  commands_.push_back(told);
+  commands_.push_back(value);
 }
 
 std::ptrdiff_t CommandRecord::piece(double t) const {

@@ -45,9 +45,9 @@ class Law {
   virtual std::size_t state_size() const = 0;
   // state: 0 on entry.
   virtual void start(double* state) const = 0;
-  // told: receives the command. May be called on several threads.
+  // output: receives the command. May be called on several threads.
   virtual std::string step(const typename Kind::Measurement& now, double* state,
-                           double* told) const = 0;
+                           double* output) const = 0;
 };
 
 // Opens the law of a file: of a Python file if its name ends in .py, otherwise of a shared library.

@@ -51,9 +51,9 @@ Eigen::Vector2d LibraryController::command(const Measurement& now, const SwitchO
   }
   m.spin_angle = now.spin_angle;
   m.spin_speed = now.spin_speed;
-  double told[2] = {0.0, 0.0};
-  law_.step(m, state, told, 2);
-  return {told[0], told[1]};
+  double output[2] = {0.0, 0.0};
+  law_.step(m, state, output, 2);
+  return {output[0], output[1]};
 }
 
 }  // namespace rotorub

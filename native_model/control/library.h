@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 
 #include "native_model/control/controller.h"
 #include "native_model/control/library_file.h"

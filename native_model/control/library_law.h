@@ -57,15 +57,15 @@ class LibraryLaw {
   std::size_t state_size() const { return law_->state_size(); }
   // state: 0 on entry.
   void start(double* state) const { law_->start(state); }
-  // told: receives `commands` numbers. Throws ControllerError.
-  void step(const typename Kind::Measurement& now, double* state, double* told,
+  // output: receives `commands` numbers. Throws ControllerError.
+  void step(const typename Kind::Measurement& now, double* state, double* output,
             std::size_t commands) const {
-    const std::string failed = law_->step(now, state, told);
+    const std::string failed = law_->step(now, state, output);
     const auto finite = [](const double* from, std::size_t count) {
       return std::all_of(from, from + count, [](double x) { return std::isfinite(x); });
     };
     if (!failed.empty()) fail(now.t, failed);
-    if (!finite(told, commands)) fail(now.t, "its command is not finite");
+    if (!finite(output, commands)) fail(now.t, "its command is not finite");
     if (!finite(state, state_size())) fail(now.t, "its state is not finite");
   }
 

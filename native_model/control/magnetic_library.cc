@@ -39,8 +39,8 @@ MagneticLibrary::MagneticLibrary(const scene::Scene& scene, std::span<const std:
 
 void MagneticLibrary::step(const rotorub_magnetic_measurement& now, double* state,
                            double* current) const {
-  if (told_) {
-    std::copy_n(told_->begin(), ports_, current);
+  if (currents_) {
+    std::copy_n(currents_->begin(), ports_, current);
     return;
   }
   std::fill_n(current, ports_, 0.0);

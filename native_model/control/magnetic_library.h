@@ -19,9 +19,9 @@ class MagneticLibrary {
   // magnetic_control.library or magnetic_control.config, as LibraryController does.
   MagneticLibrary(const scene::Scene& scene, std::span<const std::size_t> bearings);
   // Replaces the library by currents from elsewhere, A, one per port; step() returns the values
-  // that `told` has at the sample.
-  explicit MagneticLibrary(std::shared_ptr<const std::vector<double>> told)
-      : ports_(told->size()), told_(std::move(told)) {}
+  // that `currents` has at the sample.
+  explicit MagneticLibrary(std::shared_ptr<const std::vector<double>> currents)
+      : ports_(currents->size()), currents_(std::move(currents)) {}
 
   // The state is part of the model's coordinates. An MJCF written without opening the library
   // reserves space for the maximum.
@@ -36,7 +36,7 @@ class MagneticLibrary {
 
  private:
   std::size_t ports_;
-  std::shared_ptr<const std::vector<double>> told_;
+  std::shared_ptr<const std::vector<double>> currents_;
   std::optional<LibraryLaw<MagneticLaw>> law_;
 };
 

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <cstring>
 #include <stdexcept>
-#include <utility>
 
 #include "native_model/scene/text.h"
 
@@ -212,7 +211,7 @@ void PythonLaw<Kind>::start(double* state) const {
 
 template <class Kind>
 std::string PythonLaw<Kind>::step(const typename Kind::Measurement& now, double* state,
-                                  double* told) const {
+                                  double* output) const {
   std::string request;
   each_value(now, commands_, [&](const char*, const double* values, std::size_t count) {
     append(request, values, std::max<std::size_t>(count, 1));
@@ -221,8 +220,8 @@ std::string PythonLaw<Kind>::step(const typename Kind::Measurement& now, double*
   std::string answer;
   std::string failed = failure_of('S', request, &answer);
   if (!failed.empty()) return failed;
-  std::memcpy(told, answer.data(), commands_ * sizeof *told);
-  std::memcpy(state, answer.data() + commands_ * sizeof *told, start_.size() * sizeof *state);
+  std::memcpy(output, answer.data(), commands_ * sizeof *output);
+  std::memcpy(state, answer.data() + commands_ * sizeof *output, start_.size() * sizeof *state);
   return "";
 }
 

@@ -31,7 +31,7 @@ class PythonLaw final : public Law<Kind> {
   std::size_t state_size() const override { return start_.size(); }
   void start(double* state) const override;
   std::string step(const typename Kind::Measurement& now, double* state,
-                   double* told) const override;
+                   double* output) const override;
 
  private:
   // Asks the process. Returns why the law failed; an empty string if it succeeded, with the rest of

@@ -107,14 +107,14 @@ def step(of, values, now):
             now[name] = numbers[first:last]
     state = bytearray(values[8 * of.length:])
     with memoryview(state).cast("d") as view:
-        told = of.module.step(of.law, now, view)
+        command = of.module.step(of.law, now, view)
     try:
-        told = [float(value) for value in told]
+        command = [float(value) for value in command]
     except TypeError:
-        raise TypeError(f"step() returns {type(told).__name__}; return {expected(of)}") from None
-    if len(told) != of.commands:
-        raise TypeError(f"step() returns {len(told)} numbers; return {expected(of)}")
-    return struct.pack(f"={of.commands}d", *told) + state
+        raise TypeError(f"step() returns {type(command).__name__}; return {expected(of)}") from None
+    if len(command) != of.commands:
+        raise TypeError(f"step() returns {len(command)} numbers; return {expected(of)}")
+    return struct.pack(f"={of.commands}d", *command) + state
 
 
 def end(of):

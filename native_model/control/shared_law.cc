@@ -113,9 +113,9 @@ void SharedLaw<Kind>::start(double* state) const {
 
 template <class Kind>
 std::string SharedLaw<Kind>::step(const typename Kind::Measurement& now, double* state,
-                                  double* told) const {
+                                  double* output) const {
   return failure_of([&](char* reason) {
-    return functions_->step(self_, &now, state, told, reason, kReasonRoom);
+    return functions_->step(self_, &now, state, output, reason, kReasonRoom);
   });
 }
 

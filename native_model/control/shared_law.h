@@ -26,7 +26,7 @@ class SharedLaw final : public Law<Kind> {
   std::size_t state_size() const override { return state_size_; }
   void start(double* state) const override;
   std::string step(const typename Kind::Measurement& now, double* state,
-                   double* told) const override;
+                   double* output) const override;
 
  private:
   std::shared_ptr<void> library_;  // keeps `functions_` valid

@@ -1,7 +1,6 @@
 #include "native_model/linear/free_motion.h"
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <string>

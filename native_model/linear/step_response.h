@@ -12,7 +12,6 @@
 
 #include <Eigen/Core>
 #include <complex>
-#include <cstddef>
 #include <optional>
 #include <vector>
 

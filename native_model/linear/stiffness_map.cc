@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "native_model/linear/campbell.h"
 #include "native_model/linear/whirl_system.h"

@@ -21,6 +21,8 @@ constexpr double kReal = 1e-9;          // relative; smaller imaginary parts cou
 
 // Number of corrections by Newton's method with the derivative of a nearby point.
 constexpr int kFewCorrections = 7, kManyCorrections = 12;
+// The next step is longer after few corrections, and shorter after many.
+constexpr double kLengthen = 1.5, kShorten = 0.6;
 constexpr double kOfLastStep = 0.999;  // length of the last step / distance to the range's end
 // At this share of the first step beyond a point, the events of the motion there are examined.
 constexpr double kBeyond = 0.05;
@@ -217,8 +219,8 @@ Branch continue_branch(const std::function<Model(double)>& model_at, double para
     can_restart = true;
     const int corrections = next->point.motion.iterations;
     now = next;
-    if (corrections <= kFewCorrections) step = std::min(1.5 * step, parameters.longest_step);
-    if (corrections >= kManyCorrections) step *= 0.6;
+    if (corrections <= kFewCorrections) step = std::min(kLengthen * step, parameters.longest_step);
+    if (corrections >= kManyCorrections) step *= kShorten;
   }
   branch.end = "the largest number of points is reached";
   return branch;

@@ -11,14 +11,13 @@
 namespace rotorub::periodic {
 namespace {
 
-constexpr double kNeverSwitched = 1e299;  // s; later times do not occur (scene::kNever)
-constexpr int kMostTurns = 64;            // of the slowest load in the common period
-constexpr double kSameFrequency = 1e-9;
+constexpr int kMostTurns = 64;           // of the slowest load in the common period
+constexpr double kSameFrequency = 1e-9;  // relative; closer frequencies count as equal
 
 double latest_switch(const Model& m) {
   double latest = 0.0;
   const auto meet = [&latest](double t) {
-    if (std::isfinite(t) && t < kNeverSwitched) latest = std::max(latest, t);
+    if (std::isfinite(t) && t < scene::kNever) latest = std::max(latest, t);
   };
   for (const AppliedForce& f : m.forces) {
     if (f.amplitude == 0.0 && f.vector.isZero()) continue;
@@ -47,7 +46,7 @@ std::vector<double> frequencies(const Model& m) {
   };
   if (!m.layout.spin && !m.unbalances.empty()) add(m.speed);
   for (const AppliedForce& f : m.forces) {
-    const bool acts = f.off > kNeverSwitched && f.amplitude != 0.0;
+    const bool acts = f.off >= scene::kNever && f.amplitude != 0.0;
     if (acts && f.kind == scene::ForceKind::kRotating) add(f.frequency);
   }
   return all;
@@ -72,12 +71,12 @@ double samples_in(double period, const SampledFeedback& s) { return period / s.s
 std::string refusal_of(const Model& m, const std::vector<double>& of_loads) {
   const auto lasts = [](const AppliedForce& f) {
     const bool passes = f.kind == scene::ForceKind::kChirp || f.kind == scene::ForceKind::kPulse;
-    return passes && f.off > kNeverSwitched;
+    return passes && f.off >= scene::kNever;
   };
   if (std::ranges::any_of(m.forces, lasts)) {
     return "a chirp or a pulse without an end does not repeat";
   }
-  if (m.base && (m.base->breaks().empty() || m.base->breaks().back() > kNeverSwitched)) {
+  if (m.base && (m.base->breaks().empty() || m.base->breaks().back() >= scene::kNever)) {
     return "a motion of the base without an end is not supported";
   }
   if (m.drive_follows()) return "a speed-controlled drive is not supported";

@@ -48,25 +48,20 @@ double return_time(const Model& m, const State& at, double longest,
                    const EventParameters& parameters, const TurningFrame& frame) {
   const MotionRecord motion = record_motion(m, at, at.t + longest, parameters);
   if (motion.status != Status::kOk) return 0.0;
-  std::vector<const double*> states{motion.start.data(), motion.end.data()};
-  for (const Stretch& s : motion.stretches) states.push_back(s.y.data());
   const EssentialState essential(m);
-  const Eigen::VectorXd sizes = EssentialState::sizes(m, states);
+  const Eigen::VectorXd sizes = sizes_along(m, motion);
   const auto scaled = [&](const Eigen::VectorXd& y) {
     return essential.take(y.cwiseQuotient(sizes).eval().data());
   };
   const auto seen = [&](double t, const Eigen::VectorXd& y) {
     return frame.seen(y, t - motion.begin_time);
   };
-  const auto vector = [](const std::vector<double>& y) -> Eigen::VectorXd {
-    return Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size()));
-  };
   const auto away = [&](double t, const std::vector<double>& y) {
-    return scaled(seen(t, vector(y)) - vector(motion.start));
+    return scaled(seen(t, as_vector(y)) - as_vector(motion.start));
   };
   FlowDerivative flow(m, sizes, parameters);
   const auto rate = [&](double t, const std::vector<double>& y, const ContactStates& contacts) {
-    return scaled(frame.slope_seen(seen(t, vector(y)), seen(t, flow.slope(t, y, contacts))));
+    return scaled(frame.slope_seen(seen(t, as_vector(y)), seen(t, flow.slope(t, y, contacts))));
   };
   const Eigen::VectorXd slope = rate(motion.begin_time, motion.start, motion.first);
   std::vector<std::pair<double, double>> passes;  // time, distance

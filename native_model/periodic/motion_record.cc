@@ -1,6 +1,7 @@
 #include "native_model/periodic/motion_record.h"
 
 #include "native_model/event/driver.h"
+#include "native_model/periodic/essential_state.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub::periodic {
@@ -46,6 +47,12 @@ MotionRecord record_motion(const Model& model, const State& start, double end,
   record.status = run.result().status;
   record.message = run.result().message;
   return record;
+}
+
+Eigen::VectorXd sizes_along(const Model& model, const MotionRecord& motion) {
+  std::vector<const double*> states{motion.start.data(), motion.end.data()};
+  for (const Stretch& s : motion.stretches) states.push_back(s.y.data());
+  return EssentialState::sizes(model, states);
 }
 
 }  // namespace rotorub::periodic

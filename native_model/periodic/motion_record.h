@@ -3,6 +3,7 @@
 // driven from outside through its stretches (event/driver.h), so its own loop stays as it is.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -47,5 +48,12 @@ struct MotionRecord {
 // The motion from `start` to `end` (s).
 MotionRecord record_motion(const Model& model, const State& start, double end,
                            const EventParameters& parameters = {});
+
+// Sizes of the entries of y (EssentialState::sizes) over the motion.
+Eigen::VectorXd sizes_along(const Model& model, const MotionRecord& motion);
+
+inline Eigen::VectorXd as_vector(const std::vector<double>& y) {
+  return Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size()));
+}
 
 }  // namespace rotorub::periodic

@@ -7,13 +7,6 @@
 #include "native_model/periodic/contact_gradients.h"
 
 namespace rotorub::periodic {
-namespace {
-
-Eigen::VectorXd as_vector(const std::vector<double>& y) {
-  return Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size()));
-}
-
-}  // namespace
 
 ReturnMap::ReturnMap(const Model& model, const EventParameters& parameters, bool turning)
     : model_(&model),
@@ -32,9 +25,7 @@ Return ReturnMap::at(const State& start, double period, int turns) const {
   to.motion = record_motion(*model_, start, start.t + period, parameters_);
   to.status = to.motion.status;
   to.message = to.motion.message;
-  std::vector<const double*> states{to.motion.start.data(), to.motion.end.data()};
-  for (const Stretch& s : to.motion.stretches) states.push_back(s.y.data());
-  to.sizes = EssentialState::sizes(*model_, states);
+  to.sizes = sizes_along(*model_, to.motion);
   if (to.status != Status::kOk) return to;
   to.change =
       scaled(frame_.seen(as_vector(to.motion.end), period) - as_vector(to.motion.start), to.sizes);

@@ -133,13 +133,11 @@ class Check {
   // True if nothing moves in the frame, so that every period is one of the motion.
   bool is_at_rest_in(const TurningFrame& frame, const Return& there) const {
     constexpr double kRests = 1e-6;  // relative to the sizes of the state
-    const auto vector = [](const std::vector<double>& y) -> Eigen::VectorXd {
-      return Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size()));
-    };
-    const Eigen::VectorXd start = vector(there.motion.start);
+    const Eigen::VectorXd start = as_vector(there.motion.start);
     return std::ranges::all_of(there.motion.stretches, [&](const Stretch& s) {
-      const Eigen::VectorXd moved = (frame.seen(vector(s.y), s.t - there.motion.begin_time) - start)
-                                        .cwiseQuotient(there.sizes);
+      const Eigen::VectorXd moved =
+          (frame.seen(as_vector(s.y), s.t - there.motion.begin_time) - start)
+              .cwiseQuotient(there.sizes);
       return map_->essential().take(moved.data()).cwiseAbs().maxCoeff() <= kRests;
     });
   }

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/scene.h"

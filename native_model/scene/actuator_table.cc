@@ -1,7 +1,6 @@
 // [actuator] of an auxiliary bearing: rows and cross-checks.
 
 #include <algorithm>
-#include <functional>
 
 #include "native_model/scene/reading.h"
 #include "native_model/scene/schema.h"

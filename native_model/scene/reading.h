@@ -2,7 +2,6 @@
 // checks what the rows cannot say. Reports everything that does not fit.
 #pragma once
 
-#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>

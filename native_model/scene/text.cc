@@ -1,6 +1,5 @@
 #include "native_model/scene/text.h"
 
-#include <algorithm>
 #include <array>
 #include <boost/locale/utf.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
-# The plugin once more, for another MuJoCo than the rest of the build. Only the folders that include mujoco.h, mjcf and plugin,
-# are compiled again, and linked with the native model of this build.
+# Builds the plugin for another MuJoCo than the rest of the build. Only mjcf and plugin, which include mujoco.h, are
+# compiled again; they are linked with the native model of this build.
 
 # rotorub_plugin_library(<name> <folder> [EXCLUDE <regex>] [LINK <target>...]): the static library of a folder.
 function(rotorub_plugin_library name folder)

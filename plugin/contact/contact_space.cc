@@ -1,7 +1,6 @@
 #include "plugin/contact/contact_space.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "native_model/model/dynamics.h"
 #include "plugin/model/generated_rotor.h"

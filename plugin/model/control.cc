@@ -1,7 +1,6 @@
 #include "plugin/model/control.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "native_model/bearing/actuator.h"

@@ -33,8 +33,6 @@
 
 #include <mujoco/mujoco.h>
 
-#include <string>
-
 #include "plugin/model/config.h"
 
 namespace rotorub::plugin {

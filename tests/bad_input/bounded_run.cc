@@ -56,7 +56,7 @@ Ended bounded_run(const std::filesystem::path& folder, std::vector<std::string> 
   waitpid(process, &status, 0);
   Ended ended;
   if (WIFEXITED(status)) ended.code = WEXITSTATUS(status);
-  // Both limits of RLIMIT_CPU are one: the kernel ends it by SIGKILL.
+  // The soft and the hard limit of RLIMIT_CPU are equal, so the kernel ends the program by SIGKILL.
   if (WIFSIGNALED(status)) ended.signal = WTERMSIG(status) == SIGKILL ? SIGXCPU : WTERMSIG(status);
   ended.out = beginning(folder.string() + ".out");
   ended.err = beginning(folder.string() + ".err");

@@ -1,4 +1,4 @@
-// A program that may hang, fill the memory or the disk, or die: started within limits.
+// Runs a program with limits of time, memory and disk, because it may hang, fill them, or crash.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,7 @@ struct Ended {
   std::string out, err;  // the first 16 MiB of each
 };
 
-// In `folder`, with standard output and standard error in files beside it (`folder` + ".out",
+// Runs in `folder`; standard output and standard error go to files beside it (`folder` + ".out",
 // ".err").
 Ended bounded_run(const std::filesystem::path& folder, std::vector<std::string> words,
                   const Limits& limits = {});

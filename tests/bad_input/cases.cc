@@ -38,7 +38,7 @@ const Shipped& shipped() {
 }
 
 constexpr const char* kScene = "scene.toml";
-// A few hundred impacts at most: the input is on trial, not the run.
+// The run is limited to a few hundred impacts, because the input is under test, not the run.
 const Words kShort{"--end", "3ms"};
 
 Words operator+(Words words, const Words& more) {
@@ -106,7 +106,7 @@ Case of_study(Random& random, const fs::path& folder) {
           what};
 }
 
-// The files of a run, as somebody's editor left them.
+// The files of a run, damaged as by an editor.
 Case of_run_folder(Random& random, const fs::path& folder) {
   constexpr std::array kFiles{"series.csv",    "impacts.csv",  "events.csv",
                               "keyphasor.csv", "summary.json", "scene.toml"};

@@ -1,4 +1,4 @@
-// One mutated input and the command that gets it, from a number.
+// Makes one mutated input, and the command that gets it, from a number.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct Case {
   std::string what;  // source and mutations, in words
 };
 
-// Writes the files of case `number` to `folder`; the same on every machine.
+// Writes the files of case `number` to `folder`; they are the same on every machine.
 Case make_case(std::uint64_t number, const std::filesystem::path& folder);
 
 }  // namespace rotorub::test

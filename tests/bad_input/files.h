@@ -7,7 +7,7 @@
 
 namespace rotorub::test {
 
-// The whole of a file; empty where there is none.
+// The contents of a file; empty if it does not exist.
 inline std::string text_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr const char* kInput = "kept/";              // what the command was given, mutated
 constexpr std::size_t kLongestMessage = 16u << 10u;  // bytes
 
-// Line by line as it stands: what `printable` changes is what a terminal obeys, or no UTF-8.
+// True if `printable` changes no line of the text; it changes terminal codes and invalid UTF-8.
 bool shows_plainly(const std::string& text) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -45,7 +45,7 @@ bool has_no_number(const std::string& text) {
   return false;
 }
 
-// The JSON without its strings, which may hold any words that a number may not.
+// The JSON without its strings, because strings may contain words such as "nan".
 std::string without_strings(const std::string& json) {
   std::string bare;
   bool inside = false;
@@ -79,7 +79,7 @@ void judge_file(const fs::path& file, const std::string& name, std::vector<std::
   if (has_no_number(without_strings(text))) wrong.push_back("no number in " + name);
 }
 
-// A table of results has one line a row, of as many fields as its header.
+// A table of results has one line per row, with as many fields as its header.
 void judge_table(const fs::path& file, const std::string& name, std::vector<std::string>& wrong) {
   std::istringstream lines(text_of(file));
   std::size_t fields = 0, row = 0;
@@ -93,7 +93,7 @@ void judge_table(const fs::path& file, const std::string& name, std::vector<std:
   }
 }
 
-// `scene.toml:7: rotor.speed: reason`, without either the line or the key where there is none.
+// Expects `scene.toml:7: rotor.speed: reason`; line or key may be missing.
 bool names_the_place(const std::string& message, const std::string& input) {
   const std::size_t at = message.find(input);
   if (at == std::string::npos) return false;

@@ -9,17 +9,17 @@
 
 namespace rotorub::test {
 
-// A command, and what its contract lets it end with.
+// A command, and the exit codes that its contract allows.
 struct Command {
   std::vector<std::string> words;  // without the program's own name
   std::vector<int> codes;
   std::string input;  // the file that a refusal names, or "--set"
 };
 
-// All that is wrong with how the command ended and with the files below `folder` (but for those of
-// its input, kept/); empty: nothing. An exit code of its contract; a failure that says why, a
-// refusal with file and line or key; nothing that a terminal obeys, no message without end; no
-// number in a result that is none; no file half written.
+// All faults in how the command ended and in the files below `folder` (except those of its input,
+// kept/); empty if there are none. It checks that the exit code is one of the contract, a failure
+// has a reason, a refusal names file and line or key, no message contains terminal codes or is too
+// long, results contain only finite numbers, and no file is half written.
 std::vector<std::string> faults(const Command& command, const Ended& ended,
                                 const std::filesystem::path& folder);
 

@@ -22,7 +22,7 @@ std::string spoken(const Command& command) {
   return text;
 }
 
-// Whether it went right.
+// True if the case passed.
 bool try_case(std::uint64_t number, const fs::path& folder) {
   fs::create_directories(folder);
   const Case c = make_case(number, folder);

@@ -20,7 +20,7 @@ bool is_number_character(char c) {
          c == '_';
 }
 
-// Words that start as a number does, but not in a comment or a key.
+// Words that begin as numbers do, outside comments and keys.
 std::vector<Span> numbers(const std::string& text) {
   std::vector<Span> all;
   bool value = false, comment = false;
@@ -58,7 +58,7 @@ void replace(std::string& text, Span span, const std::string& with) {
   text.replace(span.begin, span.end - span.begin, with);
 }
 
-// Lines `key = value`.
+// The lines `key = value`.
 std::vector<Span> assignments(const std::string& text) {
   std::vector<Span> all;
   for (const Span line : lines(text)) {
@@ -68,7 +68,7 @@ std::vector<Span> assignments(const std::string& text) {
   return all;
 }
 
-// From one header to the next.
+// A section reaches from one header to the next.
 std::vector<Span> tables(const std::string& text) {
   std::vector<Span> all;
   for (const Span line : lines(text)) {
@@ -78,7 +78,7 @@ std::vector<Span> tables(const std::string& text) {
   return all;
 }
 
-// Where a mutation finds nothing to change it leaves the text alone.
+// A mutation leaves the text unchanged if it finds nothing to change.
 Span one_of(const std::vector<Span>& all, Random& random) {
   return all.empty() ? Span{} : random.of(all);
 }

@@ -8,12 +8,12 @@
 
 namespace rotorub::test {
 
-// One to three mutations. `donors`: other texts of the kind, whose tables and words may be mixed
-// in. `what`: in words, for whoever looks at a fault.
+// Applies one to three mutations. `donors`: other texts of the kind, whose tables and words may be
+// mixed in. `what`: receives a description for whoever examines a failure.
 std::string mutated(std::string text, std::span<const std::string> donors, Random& random,
                     std::string& what);
 
-// A value as it may stand after `=`, on a command line too.
+// A value that may stand after `=`, also on a command line.
 std::string odd_value(Random& random);
 
 }  // namespace rotorub::test

@@ -1,4 +1,4 @@
-// Words in the place of a value: numbers, units, values of other types, terminal codes.
+// Words to replace a value: numbers, units, values of other types, terminal codes.
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@ inline constexpr std::array kUnits{"mm",  "um",    "m",      "s",    "ms",      
 inline const std::vector<std::string> kTypes = between_bars(
     "true|\"text\"|[1.0, 2.0]|[]|[[1.0]]|{a = 1}|{}|1979-05-27|[1, \"a\"]|07:32:00|[nan]|"
     "[[]]|[1, 2, 3, 4, 5, 6, 7, 8, 9]|\"\"|'''|\"\"\"|none");
-// Colour, title of the window, cursor; a mark that turns the direction of writing, a control of
-// eight bits.
+// Terminal codes for colour, window title and cursor; a mark that reverses the direction of
+// writing; an 8-bit control character.
 inline const std::vector<std::string> kCodes = between_bars(
     "\x1b[31m|\x1b]0;title\x07|\x1b[2J|\r\x1b[K|\xe2\x80\xae|\xc2\x9b"
     "31m|\x7f|\b\b\b");

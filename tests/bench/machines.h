@@ -1,9 +1,8 @@
-// Machines to time: a plain rub, and the same with one part more or with more modes.
+// Machines to time: a plain rub, and the same with one further part or with more modes.
 #pragma once
 
 #include <cmath>
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "native_model/model/model.h"
@@ -125,7 +124,7 @@ inline std::vector<Part> parts() {
 }
 
 // n modes of equal mass spread over one decade of frequency, so that the steps of `event` do not
-// shrink as modes are added: the cost shown is that of the modes alone.
+// shrink as modes are added, and the result is the cost of the modes alone.
 inline scene::Scene with_modes(int n) {
   scene::Scene s = plain();
   scene::RotorModal& m = *s.rotor.modal;

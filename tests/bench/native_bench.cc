@@ -21,7 +21,7 @@ benchmark::Counter per(std::int64_t count) {
   return {static_cast<double>(count), benchmark::Counter::kIsRate | benchmark::Counter::kInvert};
 }
 
-// A whole run with the output off: the integration alone. Counter: per accepted step.
+// A whole run without output, to time the integration alone. The counter is per accepted step.
 void event_run(benchmark::State& state, const Model& model, double end) {
   std::int64_t steps = 0;
   for (auto _ : state) {
@@ -36,7 +36,7 @@ void event_run(benchmark::State& state, const Model& model, double end) {
   state.counters["steps"] = static_cast<double>(steps) / static_cast<double>(state.iterations());
 }
 
-// Steps of 0.1 s from the start, over and over; the set-up is not timed.
+// Repeats the steps of 0.1 s from the start; the set-up is not timed.
 void verlet_steps(benchmark::State& state, const Model& model) {
   const std::int64_t steps = std::lround(0.1 / kStep);
   for (auto _ : state) {
@@ -63,7 +63,7 @@ void register_all() {
   }
   for (const std::string name :
        {"bench_ring", "bench_billiard", "bench_drop", "paper_passive", "paper_sliding"}) {
-    // The controller is the caller's: not in the step.
+    // The caller evaluates the controller, so its time is not in the step.
     scene::Scene scene = bench::shipped(name);
     if (name.starts_with("paper"))
       scene.forces[0].on = 0.0, scene.initial.steady = false;  // contact within 0.1 s

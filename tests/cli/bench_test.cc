@@ -34,7 +34,7 @@ TEST(CliBench, EachSceneHasItsTable) {
                                   "A native integrator is the fastest"}));
 }
 
-// Files appear whole, the page needs no network, and the JSON is that of --json.
+// Files appear complete, the page needs no network, and the JSON equals that of --json.
 TEST(CliBenchLong, WritesPageAndJson) {
   const Folder folder;
   const Outcome done =
@@ -47,7 +47,7 @@ TEST(CliBenchLong, WritesPageAndJson) {
   EXPECT_TRUE(folder.text("deep/out/bench.html").ends_with("</html>\n"));
 }
 
-// An integrator's own name, and words of the last releases, which run `verlet`.
+// An integrator's own name, and names from earlier releases, which run `verlet`.
 TEST(CliBench, TakesIntegratorsAsRunDoes) {
   const Folder folder;
   for (const std::string word : {"verlet", "paper", "midpoint"}) {
@@ -70,7 +70,7 @@ TEST(CliBench, RefusesBadInputWithWhatIsAccepted) {
         Case{{"--repeats", "0"}, "1 or more"}}) {
     folder.refuses(with({"bench", shipped("bench_drop")}, c.arguments), {c.said});
   }
-  // All scenes are looked at before the first is run.
+  // All scenes are checked before the first is run.
   folder.refuses({"bench", shipped("bench_ring"), "nowhere.toml"}, {"nowhere.toml"});
   EXPECT_EQ(folder.files(), Files{});
 }

@@ -32,7 +32,8 @@ TEST(CliCheck, KeepsItsCasesForAReport) {
   EXPECT_FALSE(folder.has("out"));
 }
 
-// Every hard case passes natively, or is refused as its file says, and each says why it is hard.
+// Every hard case passes natively or is refused as its file says, and each file says why it is
+// hard.
 TEST(CliCheckLong, TheHardCasesHold) {
   const Folder folder;
   const std::string hard = std::string(ROTORUB_MJCF_DIR) + "/hard";
@@ -52,7 +53,7 @@ TEST(CliCheckLong, TheHardCasesHold) {
   EXPECT_GE(scenes.size(), 25u);
   EXPECT_GT(refused, 0);
   EXPECT_EQ(cases.size(), 6 * scenes.size()) << "every scene on every engine";
-  // The whip in MuJoCo's own cone is shown, but it decides nothing.
+  // The whip in MuJoCo's own cone is shown, but does not affect the verdict.
   const auto cone = std::find_if(cases.begin(), cases.end(), [](const json& c) {
     return c["scene"] == "whip" && c["engine"] == "mujoco-cone";
   });
@@ -60,15 +61,15 @@ TEST(CliCheckLong, TheHardCasesHold) {
   EXPECT_EQ(cone->at("outcome"), "violates");
 }
 
-// The same start comes to the same attractor over a ladder of steps (the committed one is 10 us).
+// The same start leads to the same attractor for several steps (the committed one is 10 us).
 void expect_same_attractors(const std::string& step) {
   const Folder folder;
   folder.done({"check", "--set", "run.step=" + step, shipped("hard/attractor_rub"),
                shipped("hard/attractor_free"), shipped("hard/attractor_whip")});
 }
-TEST(CliCheckLong, AttractorsDoNotHangOnTheStep) { expect_same_attractors("5e-6"); }
-// Daily: CliCheckLong.AttractorsDoNotHangOnTheStep.
-TEST(CliCheckNightly, AttractorsDoNotHangOnTheStep) { expect_same_attractors("2e-6"); }
+TEST(CliCheckLong, AttractorsDoNotDependOnTheStep) { expect_same_attractors("5e-6"); }
+// Daily: CliCheckLong.AttractorsDoNotDependOnTheStep.
+TEST(CliCheckNightly, AttractorsDoNotDependOnTheStep) { expect_same_attractors("2e-6"); }
 
 TEST(CliCheck, ARuleThatHoldsGivesZero) {
   const Folder folder;

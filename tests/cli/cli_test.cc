@@ -1,4 +1,4 @@
-// The command line of the contract: exit codes, files and what stands in them.
+// The command line of the contract: exit codes, files and their contents.
 
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
@@ -11,7 +11,7 @@
 namespace rotorub::test {
 namespace {
 
-TEST(Cli, WithoutACommandItIsUsage) {
+TEST(Cli, WithoutACommandPrintsTheUsage) {
   const Folder folder;
   folder.refuses({});
   folder.refuses({"rnu", shipped("bench_drop")},
@@ -51,7 +51,7 @@ TEST(Cli, SaysWhatIsWrongWithAnOptionAndWhatToDo) {
   EXPECT_TRUE(folder.files().empty());
 }
 
-// Nothing of the parser's own notation: types, braces, upper-case words.
+// The help contains none of the parser's notation: types, braces, upper-case words.
 TEST(Cli, HelpIsOfWords) {
   const Folder folder;
   const std::string help = folder.done({"help", "compare"}).out;
@@ -67,7 +67,8 @@ TEST(Cli, HasItsVersion) {
   const Folder folder;
   const Outcome version = folder.done({"--version"});
   EXPECT_TRUE(contains(version.out, ROTORUB_VERSION));
-  // Built with and loaded: the tests' own headers and library are those of the program.
+  // The versions of MuJoCo that the program was built with and that it loads are those of the
+  // test's headers and library.
   EXPECT_TRUE(contains(version.out, "MuJoCo: headers " + plugin::version_text(mjVERSION_HEADER) +
                                         ", run time " + mj_versionString() + ")"));
 }
@@ -152,7 +153,7 @@ TEST(CliRun, SetOverridesAnyValue) {
   EXPECT_EQ(plain, impulse({"contact.restitution=0.5"}));  // what the scene says already
 }
 
-// Everything that is wrong, not the first alone; nothing is written.
+// The message names all errors, not only the first; nothing is written.
 TEST(CliRun, ABadSceneIsRefusedWithAllErrors) {
   const Folder folder;
   folder.write(
@@ -173,7 +174,7 @@ TEST(CliRun, OptionsOfTheOtherEngineAreRefused) {
   EXPECT_TRUE(folder.files().empty());
 }
 
-// A step beyond the stability of the fastest mode cannot work: exit code 3, said so.
+// A step beyond the stability of the fastest mode cannot work: the exit code is 3, with a message.
 TEST(CliRun, ARunThatCannotBeSolvedIsThree) {
   const Folder folder;
   const Outcome failed = folder.run({"run", shipped("bench_ring"), "--integrator", "verlet",

@@ -1,4 +1,4 @@
-// `rotorub compare` by its command line: exit codes, files and what stands in them.
+// `rotorub compare` by its command line: exit codes, files and their contents.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -16,7 +16,7 @@ TEST(CliCompare, UnknownValuesAreRefused) {
   folder.refuses(with(ring, {"--mode", "guess"}));
   folder.refuses(with(ring, {"--tolerance", "1 mm"}));
   folder.refuses(with(ring, {"--twins", "-1"}));
-  // 1 may be meant as 1 % and would be 100 %: neither is guessed.
+  // 1 may mean 1 % or 100 %, so it is refused.
   for (const std::string command : {"compare", "tune"}) {
     folder.refuses({command, shipped("bench_ring"), "--tolerance", "1"},
                    {"100 %", "\"1%\"", "0.01"});
@@ -24,7 +24,7 @@ TEST(CliCompare, UnknownValuesAreRefused) {
   EXPECT_TRUE(folder.files().empty());
 }
 
-// The native side under the commands that MuJoCo used; where there are none, that is said.
+// The native side replays the commands that MuJoCo used; without commands a message says so.
 TEST(CliCompare, ReplaysTheCommands) {
   const Folder folder;
   const std::vector<std::string> base{
@@ -44,7 +44,7 @@ TEST(CliCompare, ReplaysTheCommands) {
   EXPECT_TRUE(contains(folder.text("out/report.html"), "replay comparison"));
 }
 
-// The exit code is by the contacts of the model that decides, one by one.
+// The exit code follows from the contacts of the model that decides, one by one.
 TEST(CliCompare, ResyncJudgesContactByContact) {
   const Folder folder;
   const std::vector<std::string> call{
@@ -61,7 +61,7 @@ TEST(CliCompare, ResyncJudgesContactByContact) {
       << "a soft contact takes the peak off";
 }
 
-// Whose verdict counts is the user's choice, and said.
+// The user chooses the model whose verdict counts, and the output names it.
 TEST(CliCompare, TheConeDecidesWhereAsked) {
   const Folder folder;
   const Outcome differ =
@@ -110,8 +110,8 @@ TEST(CliCompare, LeavesSeriesJsonAndReport) {
   expect_whole_files(folder);
 }
 
-// Files beside the page, which links to them; none is inside. One answers: MuJoCo alone beside the
-// native run; `every`: all of them.
+// Files beside the page, which links to them; the page contains none of them. One film: MuJoCo
+// alone beside the native run; `every`: all of them.
 void expect_films(bool every) {
   const Folder folder;
   std::vector<std::string> arguments{"compare", shipped("bench_ring"), "--end", "0.02", "-o",
@@ -133,7 +133,7 @@ void expect_films(bool every) {
 TEST(CliCompareLong, TheReportLinksTheFilm) { expect_films(false); }
 TEST(CliCompareNightly, TheReportLinksEveryFilm) { expect_films(true); }
 
-// Beside the verdicts; without --tune the page says how it is found.
+// The setting stands beside the verdicts; without --tune the page says how to find it.
 TEST(CliCompareLong, TheSettingToUseStandsBesideTheVerdicts) {
   const Folder folder;
   const std::vector<std::string> arguments{
@@ -154,7 +154,7 @@ TEST(CliCompareLong, TheSettingToUseStandsBesideTheVerdicts) {
       << "as tune itself says: " << setting;
 }
 
-// A JSON without what the clock says.
+// A JSON without the times of computation.
 json without_times(const json& all) {
   if (!all.is_structured()) return all;
   json kept = all;
@@ -165,8 +165,8 @@ json without_times(const json& all) {
   return kept;
 }
 
-// Chaotic, so that twins are many and runs at smaller steps go on: the same with one thread and
-// two.
+// The scene is chaotic, so there are many twins and runs at smaller steps; one thread and two give
+// the same result.
 TEST(CliCompareLong, NoResultDependsOnTheNumberOfJobs) {
   const Folder folder;
   for (const char* jobs : {"1", "2"}) {

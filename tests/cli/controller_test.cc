@@ -1,4 +1,4 @@
-// The user's own controller on the command line, and what a control engineer asks of a scene.
+// Users' controllers on the command line, and settings that a control engineer needs.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -46,7 +46,7 @@ TEST(CliController, AFailureIsExit3WithNameAndTime) {
   }
 }
 
-// Its exit code would say that all was done.
+// A library that calls exit(0) must not make the run look successful.
 TEST(CliController, OneThatCallsExitIsExit3) {
   const Folder folder;
   const Outcome done = folder.run(
@@ -57,7 +57,7 @@ TEST(CliController, OneThatCallsExitIsExit3) {
   EXPECT_FALSE(folder.has("out/summary.json"));
 }
 
-// Gains of one's own law are keys like any other.
+// Gains of a user's law are keys like any other.
 TEST(CliController, AGainIsVariedInASweepAndAnOptimisation) {
   const Folder folder;
   std::ofstream(folder.path() / "study.toml")
@@ -95,7 +95,7 @@ double last_number(const std::string& csv, const std::string& column) {
   return 0.0;
 }
 
-// A law that is a file of Python.
+// A law in a Python file.
 class CliPythonLaw : public testing::Test {
  protected:
   std::vector<std::string> with_law(const std::vector<std::string>& call) const {
@@ -154,7 +154,7 @@ TEST_F(CliPythonLaw, AMistakeInTheFileIsExit2) {
                   {"controller.library", "SyntaxError", "law.py:4)"});
 }
 
-// What a law prints is for its author; standard output is for the results.
+// The output of a law goes to standard error; standard output is for the results.
 TEST_F(CliPythonLaw, PrintsToStandardError) {
   write("print('sample', now['sample']); return 0.0, 0.0");
   const Outcome done = folder_.done(
@@ -177,7 +177,7 @@ TEST(CliController, OneForTheWrongPlaceIsRefusedByItsOwnOption) {
                  {"does not export rotorub_controller_get, so it is not a controller"});
 }
 
-// A fixed step that does not divide the sample time is bad input, with a step that does.
+// A fixed step that does not divide the sample time is refused, with a step that does.
 TEST(CliController, AStepThatDoesNotDivideTheSampleTimeIsRefused) {
   const Folder folder;
   folder.done({"init", "two", "--form", "two-catchers"});
@@ -203,7 +203,7 @@ TEST(CliController, WhatCannotBeLoadedIsExit2) {
   folder.refuses(run_with("other_abi_controller.so", {}), {"controller.library"});
 }
 
-// A machine of the user's own with a law of the user's own, the case of who designs one.
+// A user's machine with a user's law.
 TEST(CliController, CommandsTheRingOfAMachineOfTheUsersOwn) {
   const Folder folder;
   const std::vector<std::string> call{
@@ -244,7 +244,7 @@ class CliForeignLibrary : public testing::Test {
   Folder folder_;
 };
 
-TEST_F(CliForeignLibrary, IsNotOpenedUnasked) {
+TEST_F(CliForeignLibrary, IsNotOpenedWithoutPermission) {
   const std::vector<std::vector<std::string>> commands{
       {"run", "scene.toml"},     {"run", "scene.toml", "--engine", "mujoco"},
       {"compare", "scene.toml"}, {"bench", "scene.toml"},
@@ -267,9 +267,9 @@ TEST_F(CliForeignLibrary, IsOpenedWhereTheUserSaysSo) {
   EXPECT_EQ(done.code, 2) << "it is no controller";
 }
 
-TEST_F(CliForeignLibrary, IsNoMatterOfShowing) {
+TEST_F(CliForeignLibrary, IsNotNeededToShowResults) {
   ASSERT_EQ(folder_.run({"run", shipped("bench_ring"), "--end", "10 ms", "-o", "results"}).code, 0);
-  // Results whose scene names a library that is not theirs.
+  // Results whose scene names a foreign library.
   std::filesystem::copy_file(folder_.path() / "scene.toml", folder_.path() / "results/scene.toml",
                              std::filesystem::copy_options::overwrite_existing);
   std::filesystem::copy_file(folder_.path() / "evil.so", folder_.path() / "results/evil.so");
@@ -297,7 +297,7 @@ TEST(CliModes, GivesThePlantOfAController) {
   EXPECT_EQ(plant.at("B")[10][0], 1.0 / 1.5);
 }
 
-// A ring beside it that cannot move changes nothing, wherever it stands in the list.
+// A further ring that cannot move changes nothing, at any place in the list.
 TEST(CliModes, GivesThePlantOfTheRingThatMoves) {
   const Folder folder;
   const std::string rotor =

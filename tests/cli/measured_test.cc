@@ -1,4 +1,4 @@
-// `rotorub compare --measured` by its command line: what it says, writes and refuses.
+// `rotorub compare --measured` by its command line: its output, files and refusals.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -45,7 +45,7 @@ TEST(CliMeasured, IsLaidBesideTheRuns) {
                        {"measured: rig.csv, 1001 samples, 50 µs apart", "rotor's whirl, rms, µm"}));
   const json all = folder.json_in("out/compare.json").at("scenes")[0].at("measured");
   const json& alignment = all.at("alignment");
-  // Integrators part by some nm here, which is some ns.
+  // The integrators differ by some nm here, which corresponds to some ns.
   EXPECT_NEAR(alignment.at("shift").get<double>(), -0.25, 1e-6);
   EXPECT_NEAR(alignment.at("angle").get<double>(), 1.5707963, 1e-4);
   EXPECT_EQ(alignment.at("by"), json::array({"rotor"}));
@@ -65,7 +65,7 @@ TEST(CliMeasured, IsLaidBesideTheRuns) {
   EXPECT_TRUE(contains(told.out, {"shift -249.900000 ms as given", "+90.000° as given"}));
 }
 
-// Beside one run alone, without MuJoCo; and two probes that stand where the sensors' axes do.
+// A record beside one native run, without MuJoCo; and two probes along the sensors' axes.
 TEST(CliMeasured, IsLaidBesideOneRun) {
   const Folder folder;
   write_measurement(folder, "rig.csv");
@@ -82,7 +82,7 @@ TEST(CliMeasured, IsLaidBesideOneRun) {
             1e-3);
 }
 
-// A logger's own names of the columns.
+// Column names of a data logger.
 TEST(CliMeasured, TakesTheColumnsByTheFilesNames) {
   const Folder folder;
   write_measurement(folder, "rig.csv");

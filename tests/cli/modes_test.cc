@@ -1,4 +1,4 @@
-// rotorub modes as a user starts it: the page, and what it refuses.
+// rotorub modes as a user starts it: the page and the refusals.
 #include <gtest/gtest.h>
 
 #include "tests/cli/program.h"
@@ -19,9 +19,9 @@ TEST(CliModesPage, IsOneWholeFile) {
   EXPECT_TRUE(contains(page, "\"mode_shapes\":{"));
 }
 
-// The effective mass at the contact stands in the table and in the JSON, with as few modes as a
+// The effective mass at the contact is in the table and in the JSON, with as few modes as a
 // tolerance allows.
-TEST(CliModes, SaysWhatAnImpactMeets) {
+TEST(CliModes, PrintsTheEffectiveMassAtTheContact) {
   const Folder folder;
   const std::string rig = shipped("paper_passive");
   const Outcome table = folder.done({"modes", rig});
@@ -118,7 +118,7 @@ TEST(CliModesRubs, RefusesWhatMakesNoMap) {
   folder.refuses({"modes", shipped("paper_sliding"), "--rub-map"}, {"paper_sliding.toml"});
   folder.refuses({"modes", shipped("two_catchers"), "--rub-map"},
                  {"single contact; remove the others, for example with --set"});
-  // No speed about which to draw it.
+  // There is no speed about which to draw the diagram.
   folder.refuses({"modes", shipped("bench_whip"), "--rub-map", "--set", "rotor.speed=0"});
   EXPECT_TRUE(folder.files().empty());
 }

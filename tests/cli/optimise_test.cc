@@ -1,4 +1,4 @@
-// rotorub optimise: what it leaves, and what it says where it finds nothing.
+// rotorub optimise: its files, and its message if it finds nothing.
 #include "tests/cli/program.h"
 
 namespace rotorub::test {
@@ -21,7 +21,7 @@ TEST(Optimise, LeavesTheBestSceneAndItsWay) {
                                       "study.toml"}));
   EXPECT_LE(found.at("evaluations"), 12);
   EXPECT_EQ(found, folder.json_in("out/optimum.json"));
-  // The best scene is the one whose figure that is.
+  // The best scene gives the best figure.
   folder.done({"run", "out/best.toml", "--integrator", "verlet", "-o", "best", "-q"});
   double largest = 0.0;
   std::istringstream impacts(folder.text("best/impacts.csv"));
@@ -31,7 +31,7 @@ TEST(Optimise, LeavesTheBestSceneAndItsWay) {
     largest = std::max(largest, std::stod(line.substr(line.find(',') + 1)));
   EXPECT_DOUBLE_EQ(largest, found.at("best").at("figure").get<double>());
   EXPECT_TRUE(contains(folder.text("out/optimum.html"), "Which values of "));
-  // The same again, to the last byte.
+  // A second run gives the same bytes.
   const std::string way = folder.text("out/evaluations.csv");
   folder.done({"optimise", "study.toml", "-o", "again", "-q"});
   EXPECT_EQ(folder.text("again/evaluations.csv"), way);
@@ -50,7 +50,7 @@ TEST(Optimise, SaysWhereThereIsNothing) {
                  {"varies in the study"});
 }
 
-// A study for both: the sweep takes no notice of the goal, nor does what it has stored.
+// A study for both commands: the sweep ignores the goal, and its stored points stay valid.
 TEST(Optimise, AStudyMayBeASweepToo) {
   const Folder folder;
   const std::string text = study("minimise = \"peak_impulse\"\nevaluations = 3\n");

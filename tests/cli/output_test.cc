@@ -1,4 +1,4 @@
-// Lost output is no success: whatever is printed goes to a full device here.
+// A command whose output is lost fails; here all output goes to a full device.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -12,7 +12,7 @@ namespace {
 
 const Surroundings kFullDevice{{}, "/dev/full"};
 
-TEST(CliOutput, LostIsAFailureThatIsSaid) {
+TEST(CliOutput, LostOutputIsAReportedFailure) {
   const std::string ring = shipped("bench_ring"), drop = shipped("bench_drop");
   for (const std::vector<std::string>& arguments :
        std::vector<std::vector<std::string>>{{"mjcf", ring},
@@ -32,8 +32,8 @@ TEST(CliOutput, LostIsAFailureThatIsSaid) {
   }
 }
 
-// The same of the commands that print at the end of their work.
-TEST(CliOutput, LostOfLongerWorkToo) {
+// The same for commands that print at the end of their work.
+TEST(CliOutput, LostOutputAfterLongWorkIsAFailure) {
   const Folder folder;
   const std::string ring = shipped("bench_ring"), drop = shipped("bench_drop");
   folder.done({"run", drop, "--end", "1ms", "-o", "kept", "-q"});
@@ -63,7 +63,7 @@ TEST(CliOutput, LostOfLongerWorkToo) {
   }
 }
 
-// Nothing was to be printed, and nothing is lost.
+// Nothing was to be printed, so nothing is lost.
 TEST(CliOutput, OfAQuietRunCannotBeLost) {
   const Folder folder;
   const Outcome quiet = folder.done(
@@ -71,13 +71,13 @@ TEST(CliOutput, OfAQuietRunCannotBeLost) {
   EXPECT_TRUE(folder.has("out/summary.json"));
 }
 
-// The first failure is the one that counts.
-TEST(CliOutput, LostBesideBadInputIsBadInput) {
+// The first failure determines the exit code.
+TEST(CliOutput, BadInputHasPrecedenceOverLostOutput) {
   const Folder folder;
   EXPECT_EQ(folder.run({"run", "missing.toml"}, kFullDevice).code, 2);
 }
 
-// The same for a file that is named. (By a link: see the tests of the files of a run.)
+// The same for a named file. (It is a link: see the tests of the files of a run.)
 TEST(CliOutput, ToAFullDeviceByNameFails) {
   const Folder folder;
   std::filesystem::create_symlink("/dev/full", folder.path() / "full");

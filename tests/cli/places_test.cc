@@ -1,5 +1,5 @@
-// Where nothing can be written is a mistake of who named the place: exit code 2, said before the
-// work begins.
+// A place that cannot be written to is a user's mistake: exit code 2, reported before the work
+// begins.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -18,12 +18,12 @@ namespace {
 using Arguments = std::vector<std::string>;
 
 const Surroundings kObeysModes{{}, Program::kOut, true};
-// Root loses the right to write anywhere only if it has the right to give it up.
+// Permissions of files restrict root only if the test may give up root's rights.
 bool modes_count() { return getuid() != 0 || prctl(PR_CAPBSET_READ, CAP_SETPCAP) == 1; }
 
 const std::string kRing = shipped("bench_ring");
 
-// The studies that the commands below read.
+// The studies that the commands below use.
 void write_studies(const Folder& folder) {
   const std::string head = "scene = \"" + kRing + "\"\n[run]\nend = 1e3\n";
   const std::string vary = "[[vary]]\nkey = \"contact.friction\"\nfrom = 0.1\nto = 0.2\n";
@@ -31,7 +31,7 @@ void write_studies(const Folder& folder) {
   folder.write("goal.toml", head + vary + "[optimise]\nminimise = \"impacts\"\nevaluations = 4\n");
 }
 
-// Every command that writes, to `place`; those that compute long are to refuse before it.
+// Every command that writes, to `place`; those with long computations must refuse before them.
 std::vector<Arguments> writers(const std::string& place) {
   return {{"run", kRing, "--end", "1e4", "--integrator", "verlet", "-o", place},
           {"run", kRing, "--engine", "mujoco", "--end", "1e4", "-o", place},
@@ -58,7 +58,7 @@ std::vector<Arguments> writers(const std::string& place) {
           {"manual", "-o", place + "/rotorub.1"}};
 }
 
-// Nothing is written, and the message has these parts.
+// Expects that nothing is written, and that the message has these parts.
 void expect_place_refused(const Folder& folder, const Arguments& arguments,
                           std::initializer_list<std::string_view> parts,
                           const Surroundings& surroundings = {}) {
@@ -99,7 +99,7 @@ TEST(CliPlaces, OfEveryCommandAreTried) {
   EXPECT_EQ(commands, 16u);
 }
 
-// Below a file and a device, in a file system that takes no files, and in a link to nothing.
+// Below a file and a device, in a file system that accepts no files, and in a dangling link.
 TEST(CliPlaces, WhereNobodyCanMakeAFolder) {
   const Folder folder;
   folder.write("file", "text");
@@ -151,8 +151,8 @@ TEST(CliPlaces, TakenByAFolderOrAReadOnlyFile) {
   }
 }
 
-// Every file that a command leaves in its folder is looked at before the work, so each of them is
-// put in the way of the same command.
+// Every file that a command writes in its folder is checked before the work. So each of them is
+// made unwritable in turn for the same command.
 void expect_each_file_looked_at(const Arguments& arguments, std::vector<std::string> files) {
   for (const std::string& file : files) {
     for (const Obstacle& obstacle : obstacles()) {
@@ -187,7 +187,7 @@ TEST(CliPlaces, OfTheFilesOfARun) {
   expect_each_file_looked_at({"run", kRing, "--lyapunov", "-o", "out"}, {"out/lyapunov.json"});
 }
 
-// Each of its runs leaves the same files.
+// Each of its runs writes the same files.
 const Arguments kComparison{"compare", kRing, "--end",      "1ms",
                             "--twins", "0",   "--no-video", "--no-modes-ladder",
                             "-o",      "out"};
@@ -235,7 +235,7 @@ TEST(CliPlaces, WhereFilesMayNotGrow) {
   EXPECT_EQ(folder.files(), std::vector<std::string>{"said"});
 }
 
-// A folder that is not there is made, by every command alike.
+// Every command creates a missing folder.
 TEST(CliPlaces, InAFolderThatIsMade) {
   const Folder folder;
   folder.done({"run", kRing, "--end", "1ms", "-o", "new/kept", "-q"});

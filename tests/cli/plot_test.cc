@@ -1,4 +1,4 @@
-// rotorub plot: the page of a run's folder, and what it says of a folder that is none.
+// rotorub plot: the page of a run's folder, and the refusal of a folder without a run.
 #include <gtest/gtest.h>
 
 #include "tests/cli/program.h"
@@ -41,7 +41,7 @@ TEST(CliPlot, RefusesWhatIsNoRun) {
   folder.refuses({"plot", "out", "--set", "run.end=1"}, {"--set"});
 }
 
-// A series that somebody has edited is refused by its line, not drawn.
+// A series that somebody has edited is refused with its line.
 TEST(CliPlot, RefusesASeriesThatIsNone) {
   const Folder folder;
   folder.done({"run", shipped("bench_ring"), "--end", "0.001", "-o", "out"});
@@ -69,7 +69,7 @@ TEST(CliPlot, NamesAColumnOfTheModesThatIsMissing) {
   folder.refuses({"plot", "out"}, {"no column `vx_1`"});
 }
 
-// A device has no end.
+// Reading a device would never end.
 TEST(CliPlot, ReadsFilesAlone) {
   const Folder folder;
   folder.done({"run", shipped("bench_ring"), "--end", "0.001", "-o", "out"});

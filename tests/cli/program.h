@@ -1,4 +1,4 @@
-// Starts the built program as a user would, and looks at what it leaves.
+// Starts the built program as a user would, and examines its output and files.
 #pragma once
 
 #include <fcntl.h>
@@ -37,14 +37,14 @@ inline std::string read_text(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// The differences between the program's surroundings and those of the test's own process.
+// Differences between the program's environment and that of the test.
 struct Surroundings {
   std::vector<std::pair<std::string, std::string>> environment;  // variables set beside the own
   std::string out = "standard_output";                           // file of standard output
   bool obeys_modes = false;  // root too may only write what the modes of files and folders allow
 };
 
-// The program, running in a folder of its own.
+// The program, running in its own folder.
 class Program {
  public:
   Program(std::filesystem::path folder, const std::vector<std::string>& arguments,
@@ -105,7 +105,7 @@ class Folder : public TemporaryFolder {
   Outcome run(const std::vector<std::string>& arguments, Surroundings surroundings = {}) const {
     return Program(path(), arguments, std::move(surroundings)).wait();
   }
-  // The same of what must succeed, and what it then prints as JSON.
+  // The same for a command that must succeed, and its JSON output.
   Outcome done(const std::vector<std::string>& arguments, Surroundings surroundings = {}) const {
     Outcome outcome = run(arguments, std::move(surroundings));
     EXPECT_EQ(outcome.code, 0) << testing::PrintToString(arguments) << outcome.out << outcome.err;
@@ -128,7 +128,7 @@ class Folder : public TemporaryFolder {
   std::string text(const std::string& file) const { return read_text(path() / file); }
   bool has(const std::string& file) const { return std::filesystem::exists(path() / file); }
 
-  // All files below it, relative and sorted, but the program's own output.
+  // All files below the folder, relative and sorted, except the program's own output.
   std::vector<std::string> files() const {
     std::vector<std::string> all;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(path())) {
@@ -153,7 +153,7 @@ inline std::vector<std::string> with(std::vector<std::string> words,
 
 inline std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-// No file that was written aside is left, whatever happened.
+// Expects that no temporary file is left.
 inline void expect_whole_files(const Folder& folder) {
   for (const std::string& file : folder.files()) {
     EXPECT_FALSE(contains(file, ".part"));

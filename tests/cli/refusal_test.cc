@@ -34,7 +34,7 @@ TEST(CliRefusal, OfMoreStepsThanCanBeDone) {
   }
 }
 
-// An option that would have no effect is refused.
+// An option without effect is refused.
 TEST(CliRefusal, OfTuneOnAMachineOfYourOwn) {
   const Folder folder;
   expect_refused(folder,
@@ -66,7 +66,7 @@ TEST(CliRefusal, SaysHowToWriteSet) {
                  {"write --set contact.friction=0.2"});
 }
 
-// The words behind a command, and "own.xml" in the place of what it takes.
+// The words after a command, and "own.xml" in the place of its input.
 const std::map<std::string, Arguments> kGivenAModel{
     {"run", {"own.xml"}},
     {"bench", {"own.xml"}},
@@ -80,8 +80,7 @@ const std::map<std::string, Arguments> kGivenAModel{
     {"tune", {"own.xml"}},
     {"identify", {"own.xml", "--measured", "own.xml", "--fit", "contact.friction=0.1:0.2"}}};
 
-// A newcomer who gives a model in the place of a scene or of a library is told what to give
-// instead.
+// A user who gives a model instead of a scene or a library is told what to give.
 TEST(CliRefusal, OfAModelSaysWhatToGiveInEveryCommand) {
   const Folder folder;
   std::ofstream(folder.path() / "own.xml") << "<!-- mine -->\n<mujoco/>\n";
@@ -93,14 +92,14 @@ TEST(CliRefusal, OfAModelSaysWhatToGiveInEveryCommand) {
   expect_refused(folder, {"plot", "own.xml"}, {"own.xml is not a folder; give the output folder"});
   folder.refuses({"init", "own.xml"}, {"own.xml: give the name of a scene"});
   EXPECT_FALSE(folder.has("own.xml.toml"));
-  // A study of one, in both of what runs studies.
+  // A study of a user's model, in both commands that run studies.
   std::ofstream(folder.path() / "study.toml")
       << "scene = \"own.xml\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = "
          "\"contact.friction\"\nfrom = 0.1\nto = 0.2\ncount = 2\n[optimise]\nminimise = "
          "\"impacts\"\n";
   for (const std::string command : {"sweep", "optimise"})
     expect_refused(folder, {command, "study.toml"}, {"own.xml: this is a MuJoCo model (XML)"});
-  // No command is forgotten: `compare` takes it, and two take no file.
+  // The list has every command; `compare` accepts the model, and two commands take no file.
   std::string all = folder.run({"nosuch"}).err;
   all.erase(0, all.find("choose from ") + 12);
   for (const std::string other : {"compare", "plot", "init", "schema", "manual"}) {
@@ -135,8 +134,8 @@ TEST(CliRefusal, OfMoreSamplesThanCanBeTaken) {
   }
 }
 
-// `event` has no step, and is not asked for one: however small or large, it does not matter. Nor is
-// MuJoCo where the run is shorter than its step.
+// `event` has no step, so any step is accepted. MuJoCo accepts any step if the run is shorter than
+// it.
 TEST(CliRefusal, NotOfAStepThatDoesNotMatter) {
   const Folder folder;
   const Arguments run{"run", shipped("bench_ring"), "--quiet", "-o", "short"};
@@ -145,7 +144,7 @@ TEST(CliRefusal, NotOfAStepThatDoesNotMatter) {
   folder.done(with(run, {"--end", "1us", "--engine", "mujoco"}));
 }
 
-TEST(CliRefusal, OfWhatOnlyTheModelShowsNamesTheLine) {
+TEST(CliRefusal, OfErrorsFoundInTheModelNamesTheLine) {
   const Folder folder;
   std::ofstream(folder.path() / "shaft.toml") << R"([run]
 end = 0.1
@@ -172,7 +171,7 @@ vx = [1e-3, 0.0, 0.0, 0.0, 0.0]
     expect_refused(folder, {"run", "shaft.toml", "--engine", engine},
                    {"shaft.toml:20: initial.vx: expected "});
   }
-  // A thread: its eigenvalues would not be found, after minutes.
+  // A shaft as thin as a thread: its eigenvalues would not be found after minutes.
   for (const std::string command : {"run", "modes", "mjcf"}) {
     expect_refused(folder, {command, "shaft.toml", "--set", "rotor.section[0].diameter=1e-30"},
                    {"--set: rotor.section[0].diameter: too thin"});
@@ -182,7 +181,7 @@ vx = [1e-3, 0.0, 0.0, 0.0, 0.0]
                  {"--set: rotor.max_frequency: keeps no bending mode"});
 }
 
-// By the option that the user gave, or the key that was meant.
+// The refusal names the option that the user gave, or the key that was meant.
 TEST(CliRefusal, NamesWhatWasWritten) {
   const Folder folder;
   const std::string drop = shipped("bench_drop");
@@ -204,7 +203,7 @@ TEST(CliRefusal, NamesWhatWasWritten) {
                        "expected a pure number, 0 or from 1e-06 to 1e+06, for example \"0.15\""));
 }
 
-// The ending of -o says what the user expects to get.
+// The ending of -o determines the format.
 TEST(CliRefusal, OfOutputsWithAnotherEnding) {
   const Folder folder;
   const std::string ring = shipped("bench_ring");
@@ -247,7 +246,7 @@ TEST(CliRefusal, NotesAStepThatHasNoEffect) {
   EXPECT_EQ(folder.done(with(picture, {"--set", "run.integrator=verlet"})).err, "");
 }
 
-TEST(CliRefusal, OfNumbersThatNoMachineHas) {
+TEST(CliRefusal, OfImpossibleNumbers) {
   const Folder folder;
   const std::string ring = shipped("bench_ring");
   expect_refused(folder, {"mjcf", ring, "--set", "contact.clearance=1e308"},
@@ -276,7 +275,7 @@ TEST(CliRefusal, ShowsNoEscapeCodes) {
   }
 }
 
-// Nor does what stands in a file: study, kept run, MJCF, and the name of a library.
+// The same for text in files: study, kept run, MJCF, and the name of a library.
 TEST(CliRefusal, ShowsNoEscapeCodesOfFiles) {
   const Folder folder;
   const auto write = [&](const std::string& file, const std::string& text) {
@@ -324,7 +323,7 @@ TEST(CliRefusal, ShowsNoEscapeCodesOfFiles) {
   }
 }
 
-// A file's name may hold any bytes; the summary is text all the same.
+// A file name may contain any bytes; the summary is valid text nevertheless.
 TEST(CliRun, AFileWithANameThatIsNoText) {
   const Folder folder;
   std::filesystem::copy_file(shipped("bench_drop"), folder.path() / "\xff.toml");
@@ -332,7 +331,8 @@ TEST(CliRun, AFileWithANameThatIsNoText) {
   EXPECT_EQ(json::parse(done.out).at("status"), "ok");
 }
 
-// A script's variable that is not set does not write elsewhere, nor run for minutes.
+// An empty value, such as from an unset variable of a script, neither writes elsewhere nor runs for
+// minutes.
 TEST(CliRefusal, OfValuesThatAreEmpty) {
   const Folder folder;
   const std::string ring = shipped("bench_ring");

@@ -1,4 +1,4 @@
-// rotorub render: what it makes, and what it refuses before anything has run.
+// rotorub render: its files, and what it refuses before anything runs.
 
 #include <gtest/gtest.h>
 
@@ -98,7 +98,7 @@ TEST(CliRender, ScenesAreChangedRunsAreNot) {
   EXPECT_TRUE(folder.has("bench_ring.png"));
 }
 
-// The pictures of two runs that are alike differ where the captions name the key that differs.
+// The pictures of two similar runs differ where the captions name the key that differs.
 TEST(CliRender, NamesTheKeyByWhichTheRunsDiffer) {
   const Folder folder;
   const auto run = [&](const std::string& out, const Words& more) {
@@ -134,8 +134,8 @@ TEST(CliRender, RunsOfOneSceneSideBySide) {
   }
 }
 
-// A broken folder is the user's mistake; a run that did not end well is filmed as far as it came,
-// and says so.
+// A broken folder is refused. A run that did not reach its end is filmed up to there, with a
+// message.
 TEST(CliRender, TellsOfRunsThatAreBrokenOrEndedEarly) {
   const Folder folder;
   folder.done({"run", shipped("bench_ring"), "--end", "5ms", "--quiet", "-o", "out"});

@@ -28,7 +28,7 @@ TEST(CliShadow, MujocoRunsWriteItsFiles) {
   EXPECT_EQ(folder.text("out/shadow/impacts.csv"), folder.text("native/impacts.csv"));
 }
 
-TEST(CliShadow, OthersHaveNone) {
+TEST(CliShadow, NativeRunsHaveNoShadow) {
   const Folder folder;
   auto native = kRun;
   native[3] = "native";

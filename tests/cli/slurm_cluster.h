@@ -17,7 +17,7 @@
 
 namespace rotorub::test {
 
-// A command that is started with a folder to write to; killed at the end.
+// A command that is started with a folder to write to, and killed at the end.
 class Daemon {
  public:
   Daemon(std::vector<std::string> words, const std::filesystem::path& log) {
@@ -46,7 +46,7 @@ class Daemon {
 
 class SlurmCluster {
  public:
-  // The first of these programs that is missing; empty: none.
+  // The first of these programs that is missing; empty if none is.
   static std::string missing() {
     for (const char* name : {"munged", "slurmctld", "slurmd", "sbatch", "squeue", "scancel"}) {
       if (place_of(name).empty()) return name;
@@ -60,8 +60,7 @@ class SlurmCluster {
     }
     write_key();
     std::ofstream(conf()) << configuration();
-    // Looked for otherwise, and missed in a bare root without /sys: nothing here uses control
-    // groups.
+    // Slurm looks for control groups by default and fails without /sys; they are not used here.
     std::ofstream(at("cgroup.conf")) << "CgroupPlugin=cgroup/v1\n";
     munged_.emplace(
         std::vector<std::string>{place_of("munged"), "--foreground", "--force",
@@ -99,7 +98,7 @@ class SlurmCluster {
   void wait_for_all_jobs() const {
     wait_until("the end of all jobs", [&] { return command("squeue -h").empty(); });
   }
-  // Long enough for the slowest machine: it only ends what would hang.
+  // This limit is long enough for the slowest machine; it only ends a command that hangs.
   template <class Condition>
   void wait_until(const std::string& what, Condition condition) const {
     using namespace std::chrono_literals;
@@ -180,7 +179,7 @@ class SlurmCluster {
              {"SchedulerParameters", "batch_sched_delay=1,sched_interval=1"}}) {
       text += key + "=" + value + "\n";
     }
-    // Two processors, whatever the machine has.
+    // The node has two processors, whatever the machine has.
     text += "NodeName=" + host + " NodeAddr=127.0.0.1 CPUs=2 State=UNKNOWN\n";
     return text + "PartitionName=all Nodes=" + host + " Default=YES State=UP\n";
   }

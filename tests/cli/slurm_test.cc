@@ -39,7 +39,7 @@ TEST(LongSlurm, ATaskThatIsKilledAndSubmittedAgainLeavesTheSameTable) {
   const json job = folder.json_of(submit, slurm.surroundings());
   EXPECT_EQ(job.at("tasks"), json({1, 2, 3, 4}));
 
-  // Task 3 has begun: SIGKILL to all that it runs.
+  // Task 3 has begun; SIGKILL ends everything that it runs.
   const std::string file = "out/results.3-of-4.sqlite";
   slurm.wait_until("file of shard 3", [&] { return folder.has(file); });
   slurm.command("scancel --full --signal=KILL " + job.at("job").get<std::string>() + "_3");
@@ -47,7 +47,7 @@ TEST(LongSlurm, ATaskThatIsKilledAndSubmittedAgainLeavesTheSameTable) {
   const std::vector<std::string> merge{"sweep", "study.toml", "-o", "out", "--merge", "out", "-q"};
   EXPECT_EQ(folder.run(merge).code, 3) << "task 3 was to be killed before it was done";
 
-  // Submitted again, it is the only one.
+  // After the second submission only this task runs.
   const Outcome second = folder.done(submit, slurm.surroundings());
   EXPECT_EQ(json::parse(second.out).at("tasks"), json({3}));
   slurm.wait_for_all_jobs();
@@ -57,11 +57,11 @@ TEST(LongSlurm, ATaskThatIsKilledAndSubmittedAgainLeavesTheSameTable) {
     EXPECT_TRUE(contains(folder.text(log), "shard ")) << log;
   }
 
-  // All is done: nothing is submitted.
+  // Everything is done, so nothing is submitted.
   const Outcome third = folder.done({"sweep", "study.toml", "-o", "out", "--slurm", "--tasks", "4"},
                                     slurm.surroundings());
   EXPECT_TRUE(contains(third.out, "every shard is done"));
-  // Another number of tasks would cut the points otherwise.
+  // Another number of tasks would divide the points differently.
   folder.refuses({"sweep", "study.toml", "-o", "out", "--slurm", "--tasks", "3"});
 }
 

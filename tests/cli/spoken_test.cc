@@ -8,7 +8,7 @@ namespace {
 
 const std::string kEscape = "\x1b[31m";
 
-// A name of a file may hold what a terminal obeys.
+// A file name may contain terminal codes.
 TEST(CliSpoken, NoEscapeSequenceOfANameIsEchoed) {
   const Folder folder;
   const std::string scene = "a" + kEscape + ".toml", out = "out" + kEscape;
@@ -26,14 +26,14 @@ TEST(CliSpoken, NoEscapeSequenceOfANameIsEchoed) {
     EXPECT_FALSE(contains(done.out, "\x1b")) << call.front();
     EXPECT_FALSE(contains(done.err, "\x1b")) << call.front();
   }
-  // Nor one in a text of a scene.
+  // The same for a text of a scene.
   const Outcome text =
       folder.run({"run", shipped("bench_ring"), "--set", "contact={name=\"a\\u001b[31m\"}"});
   EXPECT_EQ(text.code, 2);
   EXPECT_FALSE(contains(text.err, "\x1b"));
 }
 
-// The command to join the shards is one to paste.
+// The printed command that joins the shards can be pasted.
 TEST(CliSpoken, TheHintOfSlurmIsQuoted) {
   const Folder folder;
   std::ofstream(folder.path() / "my study.toml")
@@ -65,7 +65,7 @@ TEST(CliSpoken, ASpeedWithoutAUnitIsNoted) {
   }
 }
 
-// One sentence for all of a bearing's coefficients.
+// One sentence covers all coefficients of a bearing.
 TEST(CliSpoken, NamesOfRossAreTranslated) {
   const Folder folder;
   folder.done({"init", "ross", "-q"});

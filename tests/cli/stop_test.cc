@@ -1,4 +1,4 @@
-// Whoever stops the program finds whole files alone, at once or after the next run.
+// After the program was stopped there are only complete files, at once or after the next run.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -17,7 +17,7 @@ const std::vector<std::string> kLongRun{
     "run",   shipped("bench_ring"), "--integrator", "verlet", "--end", "1e5",
     "--set", "run.output_step=0.1", "-o",           "out"};
 
-// As a shell tells them: 128 and the signal.
+// The exit code of a shell: 128 plus the signal.
 TEST(CliStop, ASignalKeepsPartialResults) {
   for (const auto& [signal, code] : {std::pair{SIGTERM, 143}, {SIGHUP, 129}, {SIGINT, 130}}) {
     const Folder folder;
@@ -58,7 +58,7 @@ TEST(CliStop, AFilmIsNotLeftHalfMade) {
   EXPECT_EQ(folder.files(), std::vector<std::string>());
 }
 
-// A number that no process has any more, as a killed one leaves it.
+// A process number that is no longer in use, as after a kill.
 pid_t ended_process(const Folder& folder) {
   const Program program(folder.path(), {"--version"});
   program.wait();
@@ -87,7 +87,7 @@ TEST(CliStop, TheNextRunRemovesWhatAKilledOneLeft) {
     EXPECT_TRUE(folder.has(file)) << file << " is somebody else's";
 }
 
-// Killed at whatever moment: the run after it leaves whole files alone.
+// Wherever a run is killed, the next run leaves only complete files.
 TEST(CliStop, AKilledFilmLeavesNothingAfterTheNext) {
   const Folder folder;
   const std::vector<std::string> render{
@@ -114,11 +114,11 @@ void expect_failure_of_encoder(const std::string& does, const std::string& said)
   EXPECT_TRUE(contains(failed.err, "film.mp4: " + said));
   EXPECT_EQ(folder.files(), std::vector<std::string>{"bin/ffmpeg"});
 }
-TEST(CliStop, AnEncoderThatFailsIsAFailureThatIsSaid) {
+TEST(CliStop, AFailingEncoderIsAReportedFailure) {
   expect_failure_of_encoder("cat >/dev/null; echo 'disc full' >&2; exit 3",
                             "ffmpeg failed (3): disc full");
 }
-// It never takes a frame, and is given up after 20 s. Daily: Video.EncoderThatHangsIsEnded.
+// The encoder never takes a frame, and is ended after 20 s. Daily: Video.EncoderThatHangsIsEnded.
 TEST(CliStopNightly, AnEncoderThatHangsIsAFailureThatIsSaid) {
   expect_failure_of_encoder("exec sleep 1000", "ffmpeg did nothing");
 }

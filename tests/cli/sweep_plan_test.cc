@@ -1,5 +1,4 @@
-// How many points rotorub sweep runs and how long they take: a line on standard error, which is a
-// file here.
+// The line on standard error that says how many points rotorub sweep runs and how long they take.
 #include <regex>
 
 #include "tests/cli/program.h"
@@ -26,7 +25,7 @@ class SweepPlan : public testing::Test {
   Folder folder;
 };
 
-// Whether this is the line of these points; the time is the machine's.
+// True if this is the line of these points; the time depends on the machine.
 testing::AssertionResult is_line(const std::string& said, const std::string& points,
                                  const std::string& after = "") {
   const std::regex line("rotorub sweep: " + points +
@@ -56,7 +55,7 @@ TEST_F(SweepPlan, HasThePointsOfAShard) {
 
 TEST_F(SweepPlan, HasThePointsThatAreLeft) {
   said({"--shard", "1/3", "-q"});
-  // The points of the shard, and no others, are then in the results of the whole.
+  // The results of the whole then have the points of the shard and no others.
   const Outcome merged = folder.run(with(words, {"--merge", "out"}));
   EXPECT_EQ(merged.code, 3);
   EXPECT_TRUE(merged.err.starts_with("rotorub sweep: 4 of 6 points are missing in ")) << merged.err;

@@ -1,4 +1,4 @@
-// rotorub sweep: what it leaves, and that what stops it leaves no trace.
+// rotorub sweep: its files, and that an interrupted sweep leaves no trace.
 #include <chrono>
 #include <random>
 #include <thread>
@@ -41,13 +41,13 @@ TEST(Sweep, LeavesTableDatabasePageAndStudy) {
                                       "out/sweep.json", "study.toml"}));
   EXPECT_EQ(folder.text("out/study.toml"), text);
   EXPECT_EQ(lines(folder.text("out/results.csv")), 7);
-  // Again: nothing is left to do, and nothing changes.
+  // The second run has nothing to do and changes nothing.
   const std::string table = folder.text("out/results.csv");
   folder.done({"sweep", "study.toml", "-o", "out", "-q"});
   EXPECT_EQ(folder.text("out/results.csv"), table);
 }
 
-// Values are taken upwards, however the study lists them.
+// Values are sorted in ascending order.
 TEST(Sweep, KeepsABifurcationDiagram) {
   const Folder folder;
   folder.write("study.toml",
@@ -65,7 +65,7 @@ TEST(Sweep, KeepsABifurcationDiagram) {
   EXPECT_TRUE(contains(folder.text("out/sweep.html"), "\"bifurcation\":{\"down\":"));
 }
 
-// The run of a point is the run of its scene, and the page leads there.
+// The run of a point equals the run of its scene, and the page links to it.
 TEST(Sweep, KeepsTheRunOfAPoint) {
   const Folder folder;
   folder.write("study.toml", study(3, 2, "integrator = \"event\"\nend = \"20 ms\"\n"));
@@ -103,7 +103,7 @@ TEST(Sweep, TakesPointsFromAFile) {
   const std::string table = folder.text("out/results.csv");
   EXPECT_TRUE(contains(table, "\n1,0.2,0.00051"));
   EXPECT_TRUE(folder.has("out/points.csv"));
-  // Other points are another study.
+  // Other points make another study.
   folder.write("points.csv", "friction,clearance\n0.1,5e-4\n0.3,5e-4\n");
   folder.refuses({"sweep", "study.toml", "-o", "out", "-q"});
   folder.write("points.csv", "friction,clearance\n0.1,5e-4\n0.3,much\n0.1\n");
@@ -165,8 +165,9 @@ TEST(Sweep, AnotherStudyInTheSameFolderIsRefused) {
   folder.refuses({"sweep", "study.toml", "-o", "out", "--set", "run.step=1e-4"});
 }
 
-// As run and compare say it: of the study, of its values and of its scene.
-TEST(Sweep, SaysThatAWordIsOld) {
+// The notes about old words name the study, its values or its scene, as those of run and compare
+// do.
+TEST(Sweep, NotesOldWords) {
   const Folder folder;
   const auto told = [&](const std::string& vary, const std::string& run, const std::string& set) {
     folder.write("study.toml", "scene = \"" + shipped("bench_drop") +
@@ -218,7 +219,7 @@ TEST(Sweep, InterruptedItSaysSoAndGoesOn) {
   EXPECT_EQ(lines(folder.text("out/results.csv")), 601);
 }
 
-// Ten times, at moments that the machine and the generator choose.
+// Ten times, at times that depend on the machine and the generator.
 void expect_no_trace_of_kills(const std::string& text, const std::vector<std::string>& how) {
   const Folder folder;
   folder.write("study.toml", text);

@@ -1,4 +1,4 @@
-// The program on a terminal, and the words of its command line.
+// The program on a terminal, and the wording of its command line.
 #include <gtest/gtest.h>
 #include <pty.h>
 
@@ -50,7 +50,7 @@ TEST(CliTerminal, OutcomesHaveColoursThere) {
                        "\033[1;32mok\033[0m"));
 }
 
-TEST(CliTerminal, NobodyElseGetsColours) {
+TEST(CliTerminal, OnlyATerminalGetsColours) {
   Terminal terminal;
   EXPECT_FALSE(contains(terminal.shown(kShortRun, {{"TERM", "xterm"}, {"NO_COLOR", "1"}}), "\033"));
   EXPECT_FALSE(contains(terminal.shown(kShortRun, {{"TERM", "dumb"}, {"NO_COLOR", ""}}), "\033"));

@@ -59,8 +59,8 @@ TEST(CliTune, JudgesAsCompareDoes) {
   EXPECT_GE(seen, 4 * 7);
 }
 
-// What it prints as the next command runs, with a controller from a library as well, and it says if
-// the comments of the scene are lost.
+// The printed next command runs, also with a controller from a library, and a message says if the
+// comments of the scene are lost.
 TEST(CliTune, ThePrintedNextCommandRuns) {
   const Folder folder;
   const std::string law = std::string(ROTORUB_LIBRARIES) + "/own_controller.so";

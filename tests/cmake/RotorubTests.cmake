@@ -1,6 +1,6 @@
 include(GoogleTest)
 
-# Where a test finds what it needs; as string literals.
+# The paths that tests need, as string literals.
 set(ROTORUB_TEST_DEFINITIONS
     ROTORUB_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     ROTORUB_MJCF_DIR="${PROJECT_SOURCE_DIR}/mjcf"
@@ -9,11 +9,11 @@ set(ROTORUB_TEST_DEFINITIONS
     ROTORUB_BINARY="${PROJECT_BINARY_DIR}/bin/rotorub"
     ROTORUB_LIBRARIES="${PROJECT_BINARY_DIR}/lib"
     ROTORUB_PLUGIN="${PROJECT_BINARY_DIR}/lib/librotorub_mujoco.so"
-    # To stand before ROTORUB_PLUGIN in LD_PRELOAD; empty without sanitizers.
+    # The library that LD_PRELOAD must name before ROTORUB_PLUGIN; empty without sanitizers.
     ROTORUB_SANITIZER_RUNTIME="${ROTORUB_SANITIZER_RUNTIME}")
 
-# What tests compile runs for seconds: neither optimised nor with debug information, which takes half the time to compile
-# and to link. What they call is the product's.
+# The code of a test runs only for seconds, so it is compiled without optimisation and debug information, which halves the
+# time to compile and link. The product's code that it calls is compiled as usual.
 set(ROTORUB_TEST_OPTIONS $<$<CONFIG:Release>:-O0;-g0;-U_FORTIFY_SOURCE>)
 if(ROTORUB_SANITIZE)
   set(ROTORUB_TEST_OPTIONS -O0)
@@ -29,7 +29,7 @@ function(rotorub_test_support)
     PUBLIC rotorub_native_model rotorub_mjcf rotorub_plugin GTest::gtest
     PRIVATE rotorub_warnings)
   target_compile_definitions(rotorub_test_support PRIVATE ${ROTORUB_TEST_DEFINITIONS})
-  # Linked into programs alone, and compiled as they are, so that they can have its precompiled header.
+  # The library is linked only into programs and compiled with their flags, so that they can use its precompiled header.
   set_target_properties(rotorub_test_support PROPERTIES POSITION_INDEPENDENT_CODE OFF)
   target_compile_options(rotorub_test_support PRIVATE -fPIE ${ROTORUB_TEST_OPTIONS})
   target_precompile_headers(rotorub_test_support PRIVATE ${ROTORUB_PRECOMPILED} <filesystem>
@@ -37,8 +37,9 @@ function(rotorub_test_support)
 endfunction()
 
 # rotorub_tests(<area> [LINK <target>...] [ALONE <folder>...] [START <target>...]): the test programs of tests/<area>,
-# linked with the targets of LINK; those of the folders of ALONE only with the library rotorub_<area>_<folder>, so that a
-# build with sanitizers needs no more. `ninja tests_<area>` builds them, and what they start or preload (START).
+# linked with the targets of LINK. The programs of the folders of ALONE are linked only with the library
+# rotorub_<area>_<folder>, so that a build with sanitizers builds no more. `ninja tests_<area>` builds them, and the
+# targets that they start or preload (START).
 function(rotorub_tests area)
   cmake_parse_arguments(ARG "" "" "LINK;ALONE;START" ${ARGN})
   file(
@@ -67,7 +68,7 @@ function(rotorub_tests area)
     target_link_libraries(${name} PRIVATE ${linked} rotorub_test_support GTest::gtest_main rotorub_warnings)
     target_compile_definitions(${name} PRIVATE ${ROTORUB_TEST_DEFINITIONS})
     target_compile_options(${name} PRIVATE ${ROTORUB_TEST_OPTIONS})
-    # Nor with the product's debug information: 7 MB a program instead of 47.
+    # Without the product's debug information a program has 7 MB instead of 47.
     target_link_options(${name} PRIVATE $<$<CONFIG:Release>:LINKER:--strip-debug>)
     rotorub_link_optimised_first(${name} rotorub_native_model)
     target_precompile_headers(${name} REUSE_FROM rotorub_test_support)
@@ -81,8 +82,8 @@ function(rotorub_tests area)
   endif()
 endfunction()
 
-# One ctest entry a test case. Its labels are given when ctest reads the list, because gtest_discover_tests
-# gives all tests of a program the same ones, and one label alone.
+# Each test case is one ctest entry. It gets its labels when ctest reads the list, because gtest_discover_tests gives all
+# tests of a program the same single label.
 # PREFIX: before every name. NIGHTLY: a regular expression of further names that are nightly.
 function(rotorub_discover name area)
   cmake_parse_arguments(ARG "" "PREFIX;NIGHTLY" "" ${ARGN})

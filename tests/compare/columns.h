@@ -7,7 +7,7 @@
 
 namespace rotorub::test {
 
-// Characters of the longest line: bytes that do not continue one.
+// Characters of the longest line; bytes that continue a character do not count.
 inline std::size_t widest_line(const std::string& text) {
   std::size_t widest = 0, column = 0;
   for (const char c : text) {

@@ -26,7 +26,7 @@ struct Sensors {
   unsigned seed = 1;
 };
 
-// The passive rig from rest, as a steady circle has no instant of its own.
+// The passive rig from rest, because a steady circle does not determine the clock.
 inline scene::Scene short_rig() {
   return shipped("paper_passive",
                  {"run.end=0.1", "run.step=1e-5", "run.output_step=1e-4", "initial.steady=false"});
@@ -49,8 +49,8 @@ inline std::vector<double> instants(const Sensors& sensors) {
   return t;
 }
 
-// The text of a record of a run whose rows are the samples: nothing between rows is made up. ring:
-// with its columns; empty(row): the places of that row are holes.
+// The text of a record of a run whose rows are the samples; nothing is interpolated. ring: with its
+// columns; empty(row): the values of that row are missing.
 inline std::string record_text(const Trajectory& run, const Sensors& sensors,
                                const std::function<bool(std::size_t)>& empty = {}) {
   std::mt19937 bits(sensors.seed);

@@ -1,6 +1,6 @@
 # cmake -DBUILD_DIR=... -DOUTSIDE_DIR=... -DEXAMPLE_DIR=... -DWORK_DIR=... -DEVERY=<ON or OFF> -P outside_project.cmake
-# Installs the build into a fresh folder, and builds and runs the projects in OUTSIDE_DIR and EXAMPLE_DIR against that. EVERY: with
-# every public header alone, not every third of them.
+# Installs the build into a new folder, and builds and runs the projects in OUTSIDE_DIR and EXAMPLE_DIR with it. EVERY=ON
+# compiles every public header by itself, otherwise every third.
 file(REMOVE_RECURSE "${WORK_DIR}")
 execute_process(COMMAND "${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${WORK_DIR}/prefix"
                         COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
@@ -12,7 +12,7 @@ execute_process(COMMAND "${WORK_DIR}/build/outside"
                         "${WORK_DIR}/prefix/share/rotorub/mjcf/bench_ring.toml"
                         "${WORK_DIR}/outside.xml" COMMAND_ERROR_IS_FATAL ANY)
 
-# The example of native_model/examples/README.md: the first impacts of bench_ring are published.
+# The example of native_model/examples/README.md prints the published first impacts of bench_ring.
 execute_process(
   COMMAND "${CMAKE_COMMAND}" -G Ninja -S "${EXAMPLE_DIR}" -B "${WORK_DIR}/example"
           "-DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix" COMMAND_ERROR_IS_FATAL ANY)
@@ -26,7 +26,7 @@ foreach(time 4.0601 7.5981 8.9758 9.5869 9.8768)
   endif()
 endforeach()
 
-# Nothing that was installed may lead back to the build or the source.
+# No installed file may contain a path of the build or the source.
 file(GLOB package "${WORK_DIR}/prefix/lib*/cmake/rotorub/*.cmake"
      "${WORK_DIR}/prefix/lib*/*/cmake/rotorub/*.cmake")
 if(NOT package)

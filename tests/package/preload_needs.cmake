@@ -3,7 +3,7 @@ set(ENV{LC_ALL} C)
 execute_process(
   COMMAND readelf --dynamic --wide "${LIBRARY}"
   OUTPUT_VARIABLE dynamic COMMAND_ERROR_IS_FATAL ANY)
-# An unbalanced bracket would glue the elements of a list together.
+# An unbalanced bracket would join the elements of a list.
 string(REGEX REPLACE "[][]" "" dynamic "${dynamic}")
 string(REGEX MATCHALL "Shared library: [^\n]+" needed "${dynamic}")
 if(NOT needed)
@@ -16,7 +16,7 @@ foreach(entry IN LISTS needed)
   endif()
 endforeach()
 
-# A symbol it shows could take the place of one in the program it is loaded into.
+# An exported symbol could replace one of the program into which the library is loaded.
 execute_process(
   COMMAND nm --dynamic --defined-only --demangle "${LIBRARY}"
   OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)

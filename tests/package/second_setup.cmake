@@ -1,5 +1,5 @@
 # cmake -DSOURCE_DIR=... -DWORK_DIR=... -P second_setup.cmake
-# Runs compare/setup with an apt-get, an npm and a sudo that leave a trace and fail.
+# Runs compare/setup with replacements of apt-get, npm and sudo that leave a trace and fail.
 file(REMOVE_RECURSE "${WORK_DIR}")
 file(MAKE_DIRECTORY "${WORK_DIR}/bin")
 foreach(command apt-get npm sudo)

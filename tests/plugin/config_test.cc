@@ -39,7 +39,7 @@ TEST_F(ConfigTest, MissingElementsAreNamed) {
   expect_refused(replaced(document, gap + "1", gap + "3"), "<user name=\"gap\">");
 }
 
-// The contact model is edited alone, not the <pair> that was written for it.
+// Only the contact model is edited, not the <pair> that was written for it.
 TEST_F(ConfigTest, AContactModelThatThePairIsNotForIsRefused) {
   const auto edited = [](const std::string& from, const std::string& to) {
     const std::string name = "name=\"rotorub_contact\" data=\"";
@@ -54,7 +54,7 @@ TEST_F(ConfigTest, AContactModelThatThePairIsNotForIsRefused) {
   expect_refused(edited("cone", "coulomb"), "condim=\"1\"");
 }
 
-// Sensors are for viewers: a user may take them out, or put the joints elsewhere.
+// Sensors are for viewers: a user may remove them, or move the joints.
 TEST_F(ConfigTest, OptionalElementsMayGo) {
   std::string document = mjcf(shipped("bench_ring"));
   const std::size_t begin = document.find("<sensor>"), end = document.find("</sensor>") + 9;
@@ -64,7 +64,7 @@ TEST_F(ConfigTest, OptionalElementsMayGo) {
   EXPECT_EQ(state_after(m.get(), 1000), state_after(load(mjcf(shipped("bench_ring"))).get(), 1000));
 }
 
-// More models than a thread remembers.
+// More models than the memory of a thread.
 TEST_F(ConfigTest, ManyModelsInTurn) {
   std::vector<ModelPointer> models;
   std::vector<DataPointer> data;
@@ -83,7 +83,7 @@ TEST_F(ConfigTest, ManyModelsInTurn) {
   }
 }
 
-// malloc gives a freed model's address to the next of the same size.
+// malloc gives the address of a freed model to the next of the same size.
 TEST_F(ConfigTest, ReusedAddressIsNotTheOldModel) {
   const std::string first = mjcf(shipped("bench_ring", {"force[0].amplitude=150.0"}));
   const std::string second = mjcf(shipped("bench_ring", {"force[0].amplitude=250.0"}));
@@ -143,7 +143,7 @@ TEST_F(ConfigTest, ModelsInTurnsAreReadOnce) {
   EXPECT_EQ(std::set<double>(marks.begin(), marks.end()).size(), models.size());
 }
 
-// A model that was none of ours is, once its names say so.
+// A model without our names becomes ours when its names are edited.
 TEST_F(ConfigTest, NamesChangedInPlaceAreNoticed) {
   const ModelPointer ours = load(mjcf(shipped("bench_ring")));
   const std::vector<double> wanted = state_after(ours.get(), 500);
@@ -160,9 +160,9 @@ TEST_F(ConfigTest, NamesChangedInPlaceAreNoticed) {
 }
 
 // ---------------------------------------------------------------- data
-// All state is in mjData: threads get the same bits. (Resets and copies: torture_test.cc.)
+// All state is in mjData, so threads get the same bits. (Resets and copies: torture_test.cc.)
 
-// A sampled controller that is on from the start: the plugin's memory is in use.
+// A sampled controller that is on from the start, so that the plugin's memory is in use.
 scene::Scene controlled() {
   return shipped("paper_sliding",
                  {"controller.on=0.0", "controller.sample_time=1e-4", "force[0].on=0.0",

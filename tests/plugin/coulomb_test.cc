@@ -1,4 +1,4 @@
-// Contact model `coulomb`: its bounce, and its manners inside MuJoCo (rubs: exact_rub_test.cc).
+// Contact model `coulomb`: its bounce, and its behaviour inside MuJoCo (rubs: exact_rub_test.cc).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ TEST_F(CoulombContact, BouncesByTheRestitution) {
   EXPECT_NEAR(d->qvel[0], -0.5 * 0.3, 0.3 * 2e-3);  // sqrt(K) step = 2e-3
 }
 
-// Hard: MuJoCo raises a friction coefficient of 0 to 1e-5 in its contacts.
+// MuJoCo raises a friction coefficient of 0 to 1e-5 in its contacts.
 TEST_F(CoulombContact, WithoutFrictionThereIsNone) {
   const ModelPointer m = load(mjcf(shipped("bench_billiard", {"mujoco.contact=coulomb"})));
   const DataPointer d = start(m.get());
@@ -103,7 +103,7 @@ class CoulombImpact : public HookedTest {
   }
 };
 
-// As stiff as the step allows, a bounce takes as many steps however short they are.
+// As stiff as the step allows, a bounce takes the same number of steps for any step.
 TEST_F(CoulombImpact, IsOffByTheSameAtEveryStepWithTheDefaultStiffness) {
   for (const double step : {1e-5, 2e-6, 5e-7, 1e-7}) {
     EXPECT_GT(error(step), 0.02) << step;
@@ -144,7 +144,7 @@ TEST_F(ConeContact, FrictionOpposesTheSlipAndKeepsToTheCone) {
   EXPECT_GT(touched, 0);
 }
 
-// A prescribed speed is no degree of freedom, and its slip r Omega must be felt all the same.
+// A prescribed speed is not a degree of freedom, but its slip r Omega must have an effect.
 TEST_F(ConeContact, FeelsThePrescribedSpin) {
   const std::string text = R"(
 [run]
@@ -224,7 +224,7 @@ x = [0.5e-3]
 
 constexpr double kDepth = 5e-6, kSpeed = 0.05, kClearance = 0.5e-3;
 const double kLeaves = std::sqrt(kSpeed * kSpeed + 1e7 * kDepth * kDepth);  // 0.05244 m/s
-// Of MuJoCo's step, of first order: sqrt(k/m) step = 3e-3.
+// The error of MuJoCo's step, of first order: sqrt(k/m) step = 3e-3.
 constexpr double kError = 5e-3;
 
 std::string start_text(const std::string& contact, const std::string& start) {
@@ -294,7 +294,7 @@ TEST_P(CompliantStart, OnTheCircleAtRestItIsLoaded) {
   EXPECT_NEAR(deepest / 3e-5, 1.0, kError);
 }
 
-// A touch from flight still has the restitution's damping.
+// A touch from flight has the damping of the restitution.
 TEST_P(CompliantStart, FromFlightItIsStruck) {
   const ModelPointer m = load(mjcf(parsed(start_text(GetParam(), "x = [0.00049]\nvx = [0.05]"))));
   const DataPointer d = start(m.get());

@@ -96,7 +96,7 @@ TEST_P(ExactRub, TheErrorFallsWithTheStep) {
   EXPECT_LT(coarse, 1e-3 * exact);
 }
 
-// The spin comes to rest and stays: friction must not push it to and fro.
+// The spin comes to rest and stays: friction must not turn it to and fro.
 TEST_P(ExactRub, SticksWithoutFlippingItsSign) {
   const ModelPointer m = load(mjcf(rub(kBrake)));
   const DataPointer d = start(m.get());
@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(, ExactRub, testing::Values("rigid", "coulomb"),
                          [](const auto& of) { return std::string(of.param); });
 
 // ---------------------------------------------------------------- rigid
-// Contact model `rigid` against the exact answers of bounces, and its manners inside MuJoCo.
+// Contact model `rigid` against the exact answers of bounces, and its behaviour inside MuJoCo.
 
 using RigidContact = HookedTest;
 
@@ -166,7 +166,7 @@ TEST_F(RigidContact, IsSeenByMujocoButNotSolvedByIt) {
   EXPECT_NEAR(std::hypot(d->contact[0].pos[0], d->contact[0].pos[1]), 0.05 + 0.5e-3, 1e-9);
 }
 
-// A contact lasts from one step to the next alone. A state that is written at any other time begins
+// A contact lasts only from one step to the next. A state that is written at any other time begins
 // without one.
 TEST_F(RigidContact, AStateAtAnotherTimeIsSteppedAsAFreshOne) {
   const ModelPointer m = load(mjcf(rigid(kAnnularRub)));
@@ -183,7 +183,7 @@ TEST_F(RigidContact, AStateAtAnotherTimeIsSteppedAsAFreshOne) {
   for (int i = 0; i < m->nv; ++i) EXPECT_EQ(used->qvel[i], fresh->qvel[i]) << i;
 }
 
-// A load of the user's own counts, and stays as it was.
+// A user's load acts, and the plugin does not change it.
 TEST_F(RigidContact, LeavesTheUsersForcesAlone) {
   const ModelPointer m = load(mjcf(rigid(kBrake)));
   const DataPointer d = start(m.get());

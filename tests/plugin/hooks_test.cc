@@ -57,8 +57,8 @@ TEST_F(HooksTest, CallsWhatWasInstalledBefore) {
   mjcb_passive = nullptr;
 }
 
-// Written over, taken back, and given back to who wrote: nothing of ours stays, nothing of his is
-// lost.
+// The callbacks are overwritten, taken back, and returned to their writer: none of ours stays, none
+// of the user's is lost.
 TEST_F(HooksTest, GivesBackToWhoWroteOverThem) {
   const ModelPointer m = load(mjcf(parsed(kAnnularRub)));
   const mjfGeneric writes[] = {count_control, nullptr};
@@ -102,7 +102,7 @@ TEST_F(HooksTest, ForeignModelRunsBitForBitAsWithout) {
 }
 
 TEST_F(HooksTest, RotorThatNeverTouchesRunsBitForBitAsWithout) {
-  // (With `rigid` the native step is MuJoCo's, touching or not.)
+  // (With `rigid` the native step replaces MuJoCo's, in contact or not.)
   const ModelPointer m = load(mjcf(parsed(kNeverTouches, {"mujoco.contact=coulomb"})));
   const std::vector<double> without = state_after(m.get(), 10000);
   EXPECT_NE(without[0], 1e-3) << "it must have moved";

@@ -1,5 +1,5 @@
-// The rest of MuJoCo's interface, called between two steps: what looks on, computes or copies
-// leaves the steps that follow to the bit, and mj_inverse finds nothing left to apply.
+// The rest of MuJoCo's interface, called between two steps: functions that observe, compute or copy
+// do not change the bits of the following steps, and mj_inverse finds no missing force.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@
 namespace rotorub::test {
 namespace {
 
-// Under a controller that looks at velocities, from before the first touch into lasting contact.
+// Under a controller that uses velocities, from before the first touch into lasting contact.
 scene::Scene controlled(const std::string& rotor, const std::string& contact,
                         const std::string& on = "0.0") {
   return shipped("paper_sliding",
@@ -38,7 +38,8 @@ class Interface : public HookedTest {
     std::vector<double> all;
     for (int k = 0; k < kSteps; ++k) {
       if (look && k % 3 != 2) {
-        // MuJoCo's solver starts from its last solution: a soft contact's last digits depend on it.
+        // MuJoCo's solver starts from its last solution, on which the last digits of a soft contact
+        // depend.
         const std::vector<double> warmstart(d->qacc_warmstart, d->qacc_warmstart + m->nv);
         look(m, d.get());
         mju_copy(d->qacc_warmstart, warmstart.data(), m->nv);
@@ -96,8 +97,8 @@ INSTANTIATE_TEST_SUITE_P(Models, Between,
                                             ::testing::Values("rigid", "coulomb", "cone",
                                                               "cone-coulomb")));
 
-// Largest force (N, N m) that inverse dynamics find wanting after a forward pass, beside applied
-// and actuators' forces, and the largest of the contact.
+// Largest force (N, N m) that inverse dynamics finds missing after a forward pass, besides applied
+// and actuators' forces, and the largest force of the contact.
 struct Left {
   double force = 0.0, contact = 0.0;
 };
@@ -124,7 +125,7 @@ TEST_F(Interface, InverseLeavesNothing) {
         load(mjcf(shipped("bench_ring", {std::string("mujoco.contact=\"") + contact + "\""})));
     const Left ours = left_by(m.get(), own_inverse);
     EXPECT_GT(ours.contact, 50.0);
-    // The solver's own residual, as of any soft contact of MuJoCo.
+    // The residual of MuJoCo's solver, as for any soft contact.
     EXPECT_LT(ours.force, 1e-9 * ours.contact) << contact;
   }
 }
@@ -148,7 +149,8 @@ TEST_F(Interface, DisabledContactIsThatOfARingFarAway) {
   }
 }
 
-// On in mid-run, off again: nothing starts anew, a step without a contact is the same step.
+// Switched on during the run, and off again: nothing restarts, and a step without a contact is the
+// same step.
 TEST_F(Interface, ContactMayBeSwitchedWhileItIsOpen) {
   const ModelPointer m = load(mjcf(shipped("bench_ring")));
   const DataPointer plain = start(m.get()), switched = start(m.get());
@@ -177,7 +179,7 @@ TEST_F(Interface, DisabledActuationIsNoForce) {
 std::string last_warning;
 void note_error(const char* message) { last_warning = message; }
 
-// The program's own handler may go on: then without contact, which the sensor says.
+// The program's own handler may continue; then there is no contact, and the sensor shows it.
 TEST_F(Interface, RungeKuttaInMidRunIsRefusedWithAWord) {
   const ModelPointer m = load(mjcf(shipped("bench_ring")));
   const DataPointer d = start(m.get());
@@ -235,7 +237,7 @@ TEST_F(Differences, InFlightTheModalStep) {
   }
 }
 
-// A model of the user's own has no load of its own time: there MuJoCo's differences hold.
+// A user's own model has no load that depends on time, so MuJoCo's differences are right there.
 TEST_F(Differences, OfAnOwnModelAreMujocos) {
   const ModelPointer m = load(own_model_example());
   const DataPointer d = after(m.get(), 100);

@@ -1,4 +1,4 @@
-// The user's own controller in MuJoCo: the same library, the same commands as natively, its state
+// A user's controller in MuJoCo: the same library and the same commands as natively, with its state
 // in mjData.
 #include <gtest/gtest.h>
 
@@ -42,7 +42,8 @@ class LibraryControllerTest : public HookedTest {
   }
 };
 
-// What the recording library keeps (tests/native_model/control/libraries/recording_controller.c).
+// The values that the recording library stores
+// (tests/native_model/control/libraries/recording_controller.c).
 constexpr std::size_t kShown = 5, kTold = kShown + 13, kRecordingState = kTold + 2;
 
 Measurement shown_of(const double* state) {
@@ -59,8 +60,8 @@ Measurement shown_of(const double* state) {
   return m;
 }
 
-// Noise, delay and rounding on: what MuJoCo's law was shown, sample by sample, shown to a law of
-// the native side gives the same commands and the same state, to the bit.
+// With noise, delay and rounding the measurements of MuJoCo's law, sample by sample, give a native
+// law the same commands and the same state, to the bit.
 TEST_F(LibraryControllerTest, TheSameMeasurementsGiveTheSameCommandsToTheBit) {
   for (const char* contact : {"rigid", "coulomb"}) {
     const scene::Scene s =
@@ -95,7 +96,7 @@ TEST_F(LibraryControllerTest, TheSameMeasurementsGiveTheSameCommandsToTheBit) {
   }
 }
 
-// mju_error is thrown by this fixture.
+// This fixture throws mju_error.
 TEST_F(LibraryControllerTest, AFailureIsAnErrorWithNameAndTime) {
   for (const char* contact : {"rigid", "coulomb"}) {
     const scene::Scene s =

@@ -117,7 +117,7 @@ TEST_F(LinearRub, OfAStateThatWasJustSet) {
   EXPECT_LT((passed.A - later.A).norm(), 1e-6 * size);
 }
 
-// In lasting contact: no state moves the gap, and nothing that is held goes on.
+// In lasting contact no state changes the gap, and held motions do not continue.
 TEST_F(LinearRub, HoldsTheGap) {
   const ModelPointer m = load(mjcf(shipped("bench_annular_elastic")));
   const DataPointer d = start(m.get());

@@ -30,7 +30,7 @@ constexpr double kLimit = 3.0;  // A
 
 using MagnetsTest = HookedTest;
 
-// No controller: ctrl is the user's.
+// Without a controller ctrl belongs to the user.
 scene::Scene by_hand(const std::vector<std::string>& more = {}) {
   std::vector<std::string> overrides{"controller=none", "rotor.modes=2"};
   overrides.insert(overrides.end(), more.begin(), more.end());
@@ -113,7 +113,7 @@ TEST_F(MagnetsTest, EditedActuatorsAreRefused) {
 
 mjtNum seven(const mjModel*, const mjData*, int) { return 7.0; }
 
-// Somebody else's user actuator, in a model of ours and in one that is not.
+// A foreign user actuator, in one of our models and in another.
 TEST(MagnetHooks, OthersKeepTheirCallbacks) {
   const char* const kOther = R"(<mujoco><worldbody><body><joint name="a" type="slide"/>
     <geom size="0.1"/></body></worldbody>
@@ -146,7 +146,7 @@ TEST(MagnetHooks, OthersKeepTheirCallbacks) {
 }
 
 // ---------------------------------------------------------------- currents
-// Actuators that add to what a magnetic bearing's amplifier is asked for.
+// Actuators that add to the requested current of a magnetic bearing's amplifier.
 
 constexpr const char* kHeld = R"(
 [run]
@@ -200,7 +200,7 @@ TEST_F(BearingCurrentsTest, AStepIsTheLoopsOwn) {
       mj_step(m.get(), d.get());
       const Eigen::Vector4d x = matrix_exp(a * (k * 1e-5)) * Eigen::Vector4d(0.0, 0.0, 0.0, kAsked);
       most = std::max(most, std::abs(x[0]));
-      // MuJoCo's Euler step is of the first order, native steps are of the second.
+      // MuJoCo's Euler step is of first order, native steps are of second.
       EXPECT_NEAR(d->qpos[bend], x[0], contact == std::string("rigid") ? 2e-8 : 1.5e-6) << k;
     }
     EXPECT_GT(most, 5e-5);
@@ -208,7 +208,7 @@ TEST_F(BearingCurrentsTest, AStepIsTheLoopsOwn) {
   }
 }
 
-// None where no key asks for it, or nothing lags.
+// There are none if no key requests them, or if no coil lags.
 TEST_F(BearingCurrentsTest, AreThereWhereAKeyAsks) {
   EXPECT_EQ(
       load(mjcf(scene::parse_scene(kHeld, "held.toml",

@@ -1,4 +1,4 @@
-// mjModel is the one truth: what is edited there moves as if the scene had said so.
+// mjModel determines the motion: an edited value acts as if the scene had it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ int geom(const mjModel* m, const char* name) { return mj_name2id(m, mjOBJ_GEOM, 
 
 constexpr int kRubSteps = 1600;  // 16 ms of bench_ring: impacts, accumulation, lasting rub
 
-// What MuJoCo asks for after an edit of masses.
+// The function that MuJoCo requires after an edit of masses.
 void set_constants(mjModel* m) {
   const DataPointer d(mj_makeData(m));
   mj_setConst(m, d.get());
@@ -40,7 +40,7 @@ class ModelParameters : public HookedTest {
                                   int steps = kRubSteps) {
     return state_after(load(mjcf(shipped("bench_ring", overrides))).get(), steps);
   }
-  // What MuJoCo calls an error when the edited model is stepped.
+  // The error that MuJoCo reports when the edited model is stepped.
   static std::string refusal(const Edit& edit, const std::vector<std::string>& overrides = {}) {
     const ModelPointer m = load(mjcf(shipped("bench_ring", overrides)));
     const DataPointer d = start(m.get());
@@ -102,7 +102,7 @@ std::vector<Case> cases() {
   };
 }
 
-// To the bit where the numbers are the same; a clearance is a difference of two radii.
+// To the bit if the numbers are the same; a clearance is the difference of two radii.
 TEST_F(ModelParameters, AnEditedModelMovesAsTheSceneThatSaysSo) {
   for (const char* contact : {"rigid", "coulomb"}) {
     for (Case c : cases()) {
@@ -132,7 +132,7 @@ TEST_F(ModelParameters, ARingThatTurnsHasTheInertiaAndDragOfItsJoint) {
                        m->dof_damping[dof_of(m, "ring_spin")] = 4e-3;
                      }),
               wanted);
-    // A radius is R's as well, by which friction turns the ring.
+    // The radius is also R, the lever arm of friction on the ring.
     EXPECT_NE(said({model, first, "contact.radius=0.04"}), said({model, first}));
     expect_near(edited({model, first},
                        [](mjModel* m) {
@@ -143,7 +143,8 @@ TEST_F(ModelParameters, ARingThatTurnsHasTheInertiaAndDragOfItsJoint) {
   }
 }
 
-// In mid-run: what follows is the run of a scene that starts from there, to the order of a step.
+// Edited during the run, the rest is the run of a scene that starts from there, to the order of a
+// step.
 TEST_F(ModelParameters, AnEditInMidRunIsTakenAtOnce) {
   const ModelPointer m = load(mjcf(shipped("bench_ring")));
   const DataPointer d = start(m.get());
@@ -212,7 +213,7 @@ TEST_F(ModelParameters, WhatNoLongerCarriesTheModesIsRefusedAtLoad) {
          "[[rotor.disc]]");
 }
 
-// A mass on the ring is the ring's, in both planes alike.
+// A mass on the ring is added to the ring, in both planes.
 TEST_F(ModelParameters, AMassOnTheRingIsTheRings) {
   std::string document = mjcf(shipped("bench_ring"));
   const std::size_t ring = document.find("<body name=\"ring\">");
@@ -220,7 +221,7 @@ TEST_F(ModelParameters, AMassOnTheRingIsTheRings) {
   expect_near(state_after(load(document).get(), kRubSteps), said({"stator.mass=1.5"}), 1e-9);
 }
 
-// Somebody's motor on a joint of ours pushes as a load of the scene does.
+// A user's motor on a joint of ours acts as a load of the scene.
 TEST_F(ModelParameters, OtherActuatorsAct) {
   std::string document = mjcf(shipped("bench_ring"));
   document.insert(document.find("<sensor>"),
@@ -238,7 +239,7 @@ TEST_F(ModelParameters, OtherActuatorsAct) {
   expect_near(state_of(m.get(), d.get()), state_of(free.get(), e.get()), 1e-9);
 }
 
-// Two models alike but for a geom's size, in one process: 262.08 for 284.83 rad/s.
+// Two models that differ only in a geom's size, in one process: 262.08 instead of 284.83 rad/s.
 TEST_F(ModelParameters, TheRadiusOfAnOwnModelIsThatOfItsGeom) {
   const auto model = [](double radius) {
     return "<mujoco><option timestep='1e-5' gravity='0 0 0' collision='predefined'/>"
@@ -267,7 +268,7 @@ TEST_F(ModelParameters, TheRadiusOfAnOwnModelIsThatOfItsGeom) {
   const ModelPointer small = load(model(0.03)), large = load(model(0.05));
   EXPECT_NEAR(spin_after(small.get()), due(0.03), 1e-6);
   EXPECT_NEAR(spin_after(large.get()), due(0.05), 1e-6);
-  // A sweep in one mjModel: the inertia stays that of 0.05 m.
+  // A sweep in one mjModel; the inertia stays that of 0.05 m.
   large->geom_size[3 * geom(large.get(), "disc")] = 0.04;
   EXPECT_NEAR(spin_after(large.get()), 300.0 - 0.3 * 0.04 / (0.5 * 0.05 * 0.05), 1e-6);
 }

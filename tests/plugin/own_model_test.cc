@@ -1,4 +1,4 @@
-// The contact in a model of the user's own, which has no scene of ours.
+// The contact in a user's own model, without a scene.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -183,7 +183,8 @@ TEST_F(OwnModel, BadTextIsRefusedAtLoadByName) {
   expect_refused(replaced(machine("coulomb"), "condim=\"1\"", "condim=\"3\""), "condim");
 }
 
-// The hand-written example: the motor takes it through the resonance, it rubs, stays in its ring.
+// The hand-written example: the motor drives it through the resonance, it rubs, and stays in its
+// ring.
 TEST_F(OwnModel, ExampleRubs) {
   const ModelPointer m = load(own_model_example());
   const DataPointer d = start(m.get());

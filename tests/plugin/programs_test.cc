@@ -1,5 +1,5 @@
-// The plugin in the windowed programs of MuJoCo, which nobody here wrote: they start under Xvfb,
-// step, and get the bits of a linked run. Their exit codes say nothing.
+// The plugin in MuJoCo's unmodified windowed programs: they start under Xvfb, step, and give the
+// bits of a linked run. Their exit codes have no meaning.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -49,7 +49,7 @@ class Programs : public MujocoTest {
     return line;
   }
 
-  // The same run here, with the plugin linked: from mj_makeData, as the programs start.
+  // The same run in this process, with the plugin linked: from mj_makeData, as the programs start.
   static std::string linked(const std::string& document) {
     const plugin::Hooks hooks;
     const ModelPointer m = load(document);
@@ -58,8 +58,8 @@ class Programs : public MujocoTest {
     return "1 " + state_bits(m.get(), d.get());
   }
 
-  // Programs that open a window are not started with a sanitizer's run time in front of the
-  // graphics driver's.
+  // Programs that open a window are not started with a sanitizer, whose run time would come before
+  // the graphics driver's.
   static bool sanitized() { return std::string(ROTORUB_SANITIZER_RUNTIME) != ""; }
 
   const TemporaryFolder folder_;
@@ -84,8 +84,8 @@ TEST_F(Programs, RecordStepsWithThePlugin) {
 }
 
 // ---------------------------------------------------------------- preloaded
-// The plugin in a program that nobody here wrote: LD_PRELOAD with mujoco-testspeed gives the bits
-// of a linked run.
+// The plugin in an unmodified program: LD_PRELOAD with mujoco-testspeed gives the bits of a linked
+// run.
 
 class Preload : public MujocoTest, public ::testing::WithParamInterface<const char*> {
  protected:
@@ -101,7 +101,7 @@ class Preload : public MujocoTest, public ::testing::WithParamInterface<const ch
     if (!libraries.empty()) libraries += ":";
     if (plugin) libraries += std::string(ROTORUB_PLUGIN) + ":";
     libraries += keeper.string();
-    // No control noise. Leaks of the foreign program are not ours to judge.
+    // Without control noise. Leaks of the foreign program do not count.
     const std::string command =
         "cd " + folder_.path().string() + " && ASAN_OPTIONS=detect_leaks=0 " +
         "ROTORUB_FINAL_STATE_FILE=" + states.string() + " LD_PRELOAD=" + libraries +
@@ -118,7 +118,7 @@ class Preload : public MujocoTest, public ::testing::WithParamInterface<const ch
     return lines;
   }
 
-  // The same run here, with the plugin linked.
+  // The same run in this process, with the plugin linked.
   static std::string linked(const std::string& document, int steps) {
     const plugin::Hooks hooks;
     const ModelPointer m = load(document);
@@ -134,11 +134,11 @@ class Preload : public MujocoTest, public ::testing::WithParamInterface<const ch
   const TemporaryFolder folder_;
 };
 
-// A shipped scene's, one with the native model alongside, or the example that is written by hand.
+// A shipped scene, one with the shadow, or the hand-written example.
 std::string document_of(const std::string& name) {
   if (name == "shadow") return mjcf(shipped("bench_ring", {"mujoco.shadow=true"}));
   if (name != "own_model") return mjcf(shipped(name));
-  // Without its motor the rotor would not reach the ring: it is thrown at it.
+  // Without its motor the rotor would not reach the ring, so it is thrown at it.
   std::string document = own_model_example();
   const std::string start = "qvel=\"0 0 300", thrown = "qvel=\"1 0 300";
   for (std::size_t at = document.find(start); at != std::string::npos; at = document.find(start)) {

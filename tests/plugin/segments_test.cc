@@ -221,7 +221,7 @@ TEST_F(SegmentsTest, NamesAJointThatIsGone) {
   expect_refused(replaced(mjcf(rotor(10)), "name=\"spin_3\"", "name=\"other\""), "spin_3");
 }
 
-// More joints than MuJoCo gives a body: the chain goes on over several.
+// More joints than MuJoCo allows per body: the chain continues over several bodies.
 TEST_F(SegmentsTest, ModalChainOfManyModesLoads) {
   const ModelPointer m = load(mjcf(shipped("paper_passive", {"rotor.modes=5"})));
   EXPECT_EQ(m->nv, 14);
@@ -229,7 +229,8 @@ TEST_F(SegmentsTest, ModalChainOfManyModesLoads) {
   EXPECT_TRUE(config.same_order);
 }
 
-// MuJoCo of today takes a centre of mass less than 1 um off its frame for the frame's origin.
+// Recent versions of MuJoCo move a centre of mass less than 1 um off its frame to the frame's
+// origin.
 TEST_F(SegmentsTest, HaveTheSmallestEccentricity) {
   constexpr double kPhase = 0.3;
   for (const double e : {1e-9, 0.5e-6, 1e-6, 5e-6}) {

@@ -1,4 +1,4 @@
-// What the tests of the shadow share.
+// Helpers that the tests of the shadow share.
 #pragma once
 
 #include <Eigen/Core>

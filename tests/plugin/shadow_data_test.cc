@@ -1,4 +1,4 @@
-// The shadow's memory is in mjData, and what a program may do with time leaves it sound.
+// The shadow's memory is in mjData, and a program may change the time without harm.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace names = mjcf_names;
 
 constexpr int kShadowSteps = 3000;
 
-// Its controller is sampled and on from the start: everything that is remembered is in use.
+// Its controller is sampled and on from the start, so that all of its memory is in use.
 class ShadowData : public HookedTest {
  protected:
   ShadowData()
@@ -52,7 +52,7 @@ TEST_F(ShadowData, ThreadsGetTheSameBits) {
   for (const auto& result : results) EXPECT_EQ(result, alone);
 }
 
-// A viewer writes the keyframe into mjData and runs on: the time goes back.
+// A viewer writes the keyframe into mjData and continues: the time goes back.
 TEST_F(ShadowData, KeyframeInTheMiddleStartsAnew) {
   const std::vector<double> wanted = shadow_after(500);
   const DataPointer d = start(model_.get());
@@ -64,7 +64,7 @@ TEST_F(ShadowData, KeyframeInTheMiddleStartsAnew) {
   EXPECT_EQ(shadow(d.get()), wanted);
 }
 
-// A jump ahead, and a state set before the first step: MuJoCo's state counts.
+// A jump forward, and a state that is set before the first step: MuJoCo's state counts.
 TEST_F(ShadowData, StartsFromMujocosState) {
   const DataPointer d = start(model_.get());
   const double h = model_->opt.timestep;
@@ -100,7 +100,7 @@ TEST_F(ShadowData, RepeatedPassesChangeNothing) {
   EXPECT_EQ(shadow(d.get()), shadow_after(kShadowSteps + 2));
 }
 
-// The step may change between two steps; the clock goes on with the new one.
+// The step may change between two steps; the clock continues with the new one.
 TEST_F(ShadowData, ANewStepStartsAnew) {
   const DataPointer d = start(model_.get());
   steps(d.get(), 100);
@@ -138,7 +138,7 @@ TEST(ShadowMark, ChangesWithTheCurrentLimitOfMagnets) {
 
 int warnings = 0;
 
-// An edited mjModel is another machine: the shadow is that one from then on, and says so once.
+// An edited mjModel is another machine: the shadow follows it from then on, and reports this once.
 TEST_F(ShadowData, AnEditStartsItAnewWithAWord) {
   const ModelPointer m = load(mjcf(shadowed("bench_ring", {"initial.x=[1e-4]"})));
   const DataPointer d = start(m.get());
@@ -166,7 +166,7 @@ TEST_F(ShadowData, AnEditStartsItAnewWithAWord) {
   mju_user_warning = said_by_fixture;
 }
 
-// What fails is said once, and no sensor ever holds a NaN.
+// A failure is reported once, and no sensor ever has a NaN.
 TEST_F(ShadowData, AFailureStopsItWithOneWarning) {
   const ModelPointer m = load(mjcf(shadowed("paper_passive", {"rotor.modes=2"})));
   const plugin::Config config = plugin::make_config(m.get());

@@ -1,5 +1,5 @@
-// The native model beside MuJoCo's: the bits of a native run, and nothing taken from MuJoCo or
-// given to it but commands.
+// The native model beside MuJoCo's has the bits of a native run, and exchanges nothing with MuJoCo
+// but commands.
 #include "plugin/shadow.h"
 #include "plugin/make_config.h"
 
@@ -38,7 +38,7 @@ std::vector<double> row(const Trajectory& t, const Model& model, std::size_t k) 
   return q;
 }
 
-// What is tested depends on no number of modes.
+// The test does not depend on the number of modes.
 const std::vector<std::string> kFewModes{"rotor.modes=2"};
 
 struct ShadowCase {
@@ -70,7 +70,7 @@ TEST_P(ShadowBits, AreThoseOfANativeRun) {
     if (config.model.layout.stator) {
       ASSERT_EQ(point(m.get(), d.get(), names::kShadowStator).y(), native.column("stator_y")[k]);
     }
-    // Forces are those of the step that has ended, which a row has at its begin.
+    // Forces are those of the step that has ended; a row has them at its begin.
     if (k == 0) continue;
     const double force = sensor(m.get(), d.get(), names::kShadowNormalForce);
     const double lasting = native.column("normal_force")[k - 1];
@@ -83,7 +83,7 @@ TEST_P(ShadowBits, AreThoseOfANativeRun) {
   }
   EXPECT_GT(native.impacts.size(), 0u);
   EXPECT_GT(in_contact, 100) << "the rub itself is compared";
-  // Of the kick about the end half is within the run.
+  // Half of the kick about the end belongs to the run.
   impulse += 0.5 * h * native.column("normal_force").back();
   EXPECT_NEAR(impulse, native.statistics.impulse_total, 1e-12 * impulse) << "impacts included";
 }
@@ -229,7 +229,7 @@ TEST_F(Shadow, PassiveBearingFollowsTheUsersCommands) {
   EXPECT_GT(moved, 1e-4) << "the ring was pushed";
 }
 
-// Coils that lag are coordinates of the native model that MuJoCo's has not.
+// Coils that lag are coordinates of the native model that MuJoCo's model lacks.
 TEST_F(Shadow, CarriesTheCoils) {
   const scene::Scene scene =
       shadowed("paper_magnetic",
@@ -272,7 +272,7 @@ class ShadowAllocation : public MujocoTest {};
 
 TEST_F(ShadowAllocation, NoneInAStepAfterTheFirst) {
   if (!ROTORUB_COUNTS_ALLOCATIONS) GTEST_SKIP() << "the sanitizer owns operator new";
-  // The counter counts, or nothing below means anything.
+  // The counter works; otherwise the tests below prove nothing.
   const std::int64_t begun = allocations;
   ::operator delete(::operator new(64));
   ASSERT_EQ(allocations - begun, 1);

@@ -1,5 +1,5 @@
 // Everything that a program may do with models and data, a thousand times at random and interleaved
-// over several models: what each run comes to are the bits of a plain run.
+// over several models: each run has the bits of an undisturbed run.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -61,7 +61,7 @@ const std::array<std::string, kScenes>& documents() {
 
 constexpr int kMostSteps = 1500;
 
-// With what the shadow shows, where there is one.
+// With the sensors of the shadow, if there is one.
 std::vector<double> whole_state(const mjModel* m, const mjData* d) {
   std::vector<double> state = state_of(m, d);
   if (m->nmocap == 0) return state;
@@ -69,7 +69,7 @@ std::vector<double> whole_state(const mjModel* m, const mjData* d) {
   return state;
 }
 
-// State after every number of steps from the start, of a run that nothing disturbs.
+// State after every number of steps from the start, of an undisturbed run.
 class PlainRun {
  public:
   explicit PlainRun(const std::string& document) {
@@ -111,7 +111,7 @@ class TortureTest : public HookedTest {
     run.data = start(run.model.get());
     return run;
   }
-  // A model that is made anew, perhaps at the address of the one before.
+  // A model that is made again, perhaps at the address of the previous one.
   void reload() {
     Life& run = any();
     run.data.reset();
@@ -146,7 +146,8 @@ class TortureTest : public HookedTest {
     run.data = std::move(data);
     run.model = std::move(model);
   }
-  // (mj_forward between steps is left out: MuJoCo's solver then starts elsewhere, bits differ.)
+  // (mj_forward between steps is left out, because MuJoCo's solver then starts elsewhere and the
+  // bits differ.)
   static void look(Life& run) {
     if (run.steps == kMostSteps) return;
     mj_step1(run.model.get(), run.data.get());
@@ -187,7 +188,7 @@ TEST_F(TortureTest, ResetsCopiesAndReloadsLeaveTheBits) {
   for (const Life& run : runs_) expect_plain(run);
 }
 
-// Callbacks of others, put in front of ours and below, taken away in any order.
+// Foreign callbacks, before and after ours, removed in any order.
 using Callback = void (*)(const mjModel*, mjData*);
 constexpr int kOthers = 4;
 std::array<Callback, kOthers> below_other{};
@@ -223,7 +224,7 @@ TEST(Chains, CallbacksOfOthersInAnyOrder) {
   for (int round = 0; round < 50; ++round) {
     below_other = {};
     const Callback before = mjcb_control;
-    // Others in front of ours alone: those below ours are called by it and cannot be taken out.
+    // Only foreign callbacks before ours: those after ours are called by it and cannot be removed.
     std::optional<plugin::Hooks> hooks(std::in_place);
     std::vector<int> order = {0, 1, 2, 3};
     std::shuffle(order.begin(), order.end(), random);

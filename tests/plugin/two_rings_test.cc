@@ -126,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(, TwoRingsInMujocoLong, testing::ValuesIn(kCases), case
 
 using SeveralOnTheChain = HookedTest;
 
-// One contact may be held by nothing but the other's force.
+// Only the force of the other contact may hold one closed.
 TEST_F(SeveralOnTheChain, OnePressesTheOther) {
   for (const char* contact : {"rigid", "coulomb"}) {
     const std::vector<std::string> overrides{std::string("mujoco.contact=\"") + contact + "\""};
@@ -206,7 +206,7 @@ TEST_F(SeveralOnTheChain, AreKeptFromMujocosSolverWithoutAGap) {
   EXPECT_GT(largest, 0.0);
 }
 
-// The scene of one mode in two rings at one place, so that their order says nothing.
+// The scene of one mode in two rings at one place, so that their order has no effect.
 scene::Scene in_rings(const char* first, const char* second) {
   std::string text = R"([run]
 end = 0.01
@@ -228,7 +228,7 @@ vx = [1e-4]
   return parsed(text);
 }
 
-// A state that was written is known by a millionth of the smallest clearance.
+// A written state differs from the expected one by more than a millionth of the smallest clearance.
 TEST_F(SeveralOnTheChain, NoticeAWrittenStateInAnyOrder) {
   for (const auto& [first, second] :
        {std::pair{"\"10 mm\"", "\"10 um\""}, std::pair{"\"10 um\"", "\"10 mm\""}}) {

@@ -1,6 +1,5 @@
-// Programs that write over MuJoCo's callbacks after us, preloaded and linked: the run keeps its
-// contact to the bit, the user's callback is called once a step, and rotorub_active tells the
-// truth.
+// Programs that overwrite MuJoCo's callbacks after us, preloaded and linked: the run keeps its
+// contact to the bit, the user's callback is called once a step, and rotorub_active is right.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -31,7 +30,7 @@ class Program : public MujocoTest {
  protected:
   explicit Program(bool linked) : linked_(linked) {}
 
-  // The program's lines for a case.
+  // The lines that the program prints for a case.
   std::string said(const std::string& document, const std::string& what,
                    int steps = kCallbackSteps) const {
     const fs::path xml = folder_ / "scene.xml", out = folder_ / "out";
@@ -106,7 +105,7 @@ TEST_P(UserCallbacks, AreCalledAndTheContactStays) {
       EXPECT_EQ(line.state, plain.state) << contact << " " << what;
       EXPECT_EQ(line.active, 1.0) << contact << " " << what;
       EXPECT_EQ(line.penetration, plain.penetration) << contact << " " << what;
-      // A passive force that was found missing in mid-pass is computed anew.
+      // A passive force that was found missing during a pass is computed again.
       EXPECT_NEAR(line.calls, kCallbackSteps, what == "passive" ? 1 : 0) << contact << " " << what;
     }
   }
@@ -194,7 +193,7 @@ TEST_P(UserCallbacks, ThatStopCallingUsAreNoticed) {
   EXPECT_LT(line.penetration, 20.0);
 }
 
-// MuJoCo's own switches: no contact, and rotorub_active says so.
+// With contact disabled by MuJoCo's own flags there is none, and rotorub_active shows it.
 TEST_P(UserCallbacks, DisabledContactIsNone) {
   for (const std::string what : {"no_contact", "no_constraint"}) {
     const Line line = run(bench(), what);

@@ -21,7 +21,7 @@ int label_pixels(const Picture& picture, int top, int bottom) {
       .count;
 }
 
-// The scale of a gap follows a soft contact that is 892 um deep, rather than name the 5 um above.
+// The scale of a gap names the depth of a soft contact, 892 um, rather than the 5 um above.
 TEST(Chart, NamesTheSideThatTheCurveIsOn) {
   Picture picture(400, 200);
   Sheet sheet(picture, {0, 0, 400, 200});

@@ -47,8 +47,8 @@ TEST(Frame, ShowsEveryPartInItsColour) {
             50);
 }
 
-// Of two contacts each has its cross-section, the first above, and each moves as its own columns
-// say.
+// Each of two contacts has its cross-section, the first above, and each moves as its own columns
+// do.
 TEST(Frame, ShowsEachOfSeveralContacts) {
   scene::Scene scene = ring_scene();
   scene.auxiliary.push_back(scene.first());
@@ -92,7 +92,8 @@ TEST(Frame, RotorMovesAsItsStateDoes) {
 }
 
 TEST(Frame, RingMovesAsItsStateDoes) {
-  // The ring of a resting rotor, off centre; what is seen is wider then, so measure the direction.
+  // The ring of a resting rotor, off centre. The visible area is wider then, so the test measures
+  // the direction.
   const Picture picture = picture_of({.stator_x = 0.4 * kClearance});
   const Found ring = in_section(picture, is_ring);
   const Found rotor = in_section(picture, is_rotor);
@@ -109,7 +110,7 @@ TEST(Frame, MagnificationScalesTheMotionAlone) {
   EXPECT_GT(moved(40.0), 1.5 * moved(20.0));
 }
 
-// Walks from the rotor's middle outwards until the ring: how many light pixels lie between.
+// The number of light pixels between the rotor's middle and the ring.
 int light_pixels_outwards(const Picture& picture, int column, int row, int step) {
   int light = 0;
   for (; column > 0 && column < picture.width(); column += step) {
@@ -123,10 +124,10 @@ int light_pixels_outwards(const Picture& picture, int column, int row, int step)
 TEST(Frame, CirclesTouchWhenTheRotorTouches) {
   const Picture touching = picture_of({.rotor_x = kClearance});
   const Found rotor = in_section(touching, is_rotor);
-  // A row below the axis through the middle, which is a line of its own.
+  // A row below the axis through the middle, which is a line.
   const int row = static_cast<int>(rotor.row) + 4;
   const int column = static_cast<int>(rotor.column);
-  // At most what the picture's grid leaves open, against the whole clearance on the other side.
+  // At most the pixels that the grid leaves open, against the whole clearance on the other side.
   EXPECT_LE(light_pixels_outwards(touching, column, row, 1), 2);
   EXPECT_GT(light_pixels_outwards(touching, column, row, -1), 20);
 }
@@ -182,11 +183,11 @@ TEST(Frame, ShadowIsDrawnTranslucent) {
   options.shadow = &other;
   const Picture picture = FramePainter(scene, run, options).paint(0.05);
   EXPECT_GT(in_section(picture, ghost).count, 50);
-  // The run itself is still seen through it.
+  // The run itself is visible through the ghost.
   EXPECT_LT(in_section(picture, ghost).column, in_section(picture, is_rotor).column);
 }
 
-// One camera and one scale: each run is drawn as it is beside itself, and its twin looks alike.
+// One camera and one scale: each run is drawn as beside itself, and equal runs look alike.
 TEST(Frame, RunsSideBySideAreDrawnAlike) {
   const scene::Scene scene = ring_scene();
   const Trajectory run = whirling_run();
@@ -197,7 +198,7 @@ TEST(Frame, RunsSideBySideAreDrawnAlike) {
   options.view = FilmView::kAxis;
   options.beside = &run;
   const Picture twice = FramePainter(scene, run, options).paint(0.03);
-  // Below the header, whose words are of the whole picture.
+  // Below the header, whose text belongs to the whole picture.
   for (int row = 40; row < twice.height(); ++row) {
     for (int column = 0; column < 480; ++column) {
       ASSERT_EQ(twice.pixel(column, row), twice.pixel(column + 480, row)) << column << ' ' << row;
@@ -210,7 +211,7 @@ TEST(Frame, RunsSideBySideAreDrawnAlike) {
   EXPECT_FALSE(same(pair, twice));
 }
 
-TEST(Frame, EveryViewOfTheContactIsAPictureOfItsOwn) {
+TEST(Frame, EveryViewOfTheContactIsAnotherPicture) {
   const scene::Scene scene = ring_scene();
   const Trajectory run = whirling_run();
   std::vector<Picture> pictures;
@@ -240,7 +241,7 @@ TEST(Frame, SameInputSamePicture) {
   const Picture other = FramePainter(scene, run, small_options()).paint(0.03);
   EXPECT_TRUE(same(before, again));
   EXPECT_TRUE(same(before, other));
-  // Nor does a painter disturb another.
+  // One painter does not affect another either.
   RenderOptions large = small_options();
   large.width = 800;
   large.height = 450;
@@ -266,7 +267,7 @@ TEST(Frame, SceneWithoutContactShowsTheMachineAlone) {
 }
 
 TEST(Frame, ShippedRigIsDrawnFromItsGeometry) {
-  // Two modes in the scene, one in the run: they do not belong together.
+  // The scene has two modes and the run one, so they do not belong together.
   const scene::Scene rig = rig_of_two_modes();
   const Trajectory run = whirling_run();
   expect_thrown<std::runtime_error>([&] { FramePainter(rig, run, small_options()); },

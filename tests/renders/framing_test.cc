@@ -187,7 +187,7 @@ Trajectory whirl_of(double turns_a_second, double touch) {
   return run;
 }
 
-// The film of the main job had a whirl of which every frame showed more than a turn.
+// In an earlier film every frame showed more than a turn of the whirl.
 TEST(Framing, AWhirlTurnsAtMostAnEighthBetweenFramesAfterTheFirstTouch) {
   for (const double turns : {20.0, 300.0, 3000.0}) {
     const Trajectory run = whirl_of(turns, 0.03);

@@ -7,7 +7,7 @@
 namespace rotorub::renders {
 namespace {
 
-// In touch for a share of the time, with one force.
+// In contact for a fraction of the time, with one force.
 Trajectory pressed_run(double force, double share) {
   return made_run(1001, [=](double t) {
     return Row{.rotor_x = kClearance, .normal_force = t <= 0.1 * share ? force : 0.0};
@@ -22,7 +22,7 @@ Scales scales_of(const std::vector<const Trajectory*>& runs) {
   return make_scales(pointers, 0.0, 0.1, kClearance);
 }
 
-// The film of the cone in contact for 0.6 % of the time had the scale "1 N" for 14,050 N.
+// In an earlier film the cone, in contact for 0.6 % of the time, had the scale "1 N" for 14,050 N.
 TEST(Scales, AForceThatIsSeldomThereSetsTheScaleAllTheSame) {
   const Trajectory cone = pressed_run(14050.0, 0.006);
   const Scales scales = scales_of({&cone});
@@ -57,7 +57,7 @@ TEST(Scales, AForceOfNothingDoesNotSpreadTheScale) {
   EXPECT_GT(scales.force.low, 1e-6);
 }
 
-TEST(Scales, WhatIsBeyondIsClippedAndToldSo) {
+TEST(Scales, ValuesBeyondTheScaleAreClippedAndMarked) {
   Trajectory run = made_run(1001, [](double t) {
     return Row{.rotor_x = kClearance, .normal_force = t < 0.0005 ? 5000.0 : 100.0};
   });
@@ -99,7 +99,7 @@ TEST(Scales, ControlForceFromItsColumns) {
   run.series.push_back({"current_1", "A", std::vector<double>(run.rows(), 0.6)});
   run.series.push_back({"current_2", "A", std::vector<double>(run.rows(), -0.8)});
   EXPECT_DOUBLE_EQ(scales_of({&run}).current.high, 1.0);
-  // Signed, against the film's largest.
+  // With their signs, relative to the film's largest.
   const Instant instant = instant_at(Playback(run), 0.02, scales_of({&run}), {});
   EXPECT_DOUBLE_EQ(instant.current[0], 0.6);
   EXPECT_DOUBLE_EQ(instant.current[1], -0.8);

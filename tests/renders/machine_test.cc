@@ -79,7 +79,7 @@ TEST(Machine, RigHasItsPartsAtTheirStations) {
   EXPECT_TRUE(machine.magnetic_bearings.empty()) << "the scene has a force there, not a bearing";
   ASSERT_EQ(machine.loads.size(), 1u);
   EXPECT_NEAR(machine.loads[0].z, 0.42 / 0.6, 1e-12);
-  // All of it stands above the base plate.
+  // Everything is above the base plate.
   EXPECT_LT(machine.floor, -machine.contact->ring_outer);
   EXPECT_LT(machine.floor, -machine.discs[0].radius);
 }
@@ -98,7 +98,7 @@ TEST(Machine, FarMovingRingIsMagnifiedLess) {
   const scene::Scene scene = ring_scene();
   EXPECT_EQ(section_magnification(scene, 0.0), 40.0);
   EXPECT_LT(section_magnification(scene, 2e-3), 40.0);
-  // But never so little that the clearance is lost.
+  // It is never so small that the clearance disappears.
   EXPECT_GE(section_magnification(scene, 1.0) * kClearance, 0.1 * 0.05);
 }
 

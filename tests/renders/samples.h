@@ -42,7 +42,7 @@ restitution = 0.5
 inline const std::string kElasticRing = "[stator]\nmass = 1.0\ndamping = 200.0\nstiffness = 1e5\n";
 inline scene::Scene ring_scene() { return modal_scene(kElasticRing); }
 
-// A free mass, held by nothing and touching nothing.
+// A free mass without springs and contact.
 inline scene::Scene free_scene() {
   return scene::parse_scene(R"(
 [run]
@@ -150,7 +150,7 @@ inline bool same(const Picture& a, const Picture& b) {
   return std::ranges::equal(a.bytes(), b.bytes());
 }
 
-// `act` throws an Error whose words hold `word`.
+// Expects that `act` throws an Error whose message contains `word`.
 template <class Error, class Act>
 void expect_thrown(Act act, const std::string& word) {
   EXPECT_TRUE(test::contains(test::message_of<Error>(act), word));
@@ -185,7 +185,7 @@ inline Found find(const Picture& picture, const Test& test) {
   return find(picture, 0, 0, picture.width(), picture.height(), test);
 }
 
-// The colours that tell the parts apart, generously.
+// The colours of the parts, with generous limits.
 inline bool is_rotor(int r, int g, int b) { return b > 150 && b > r + 60 && b > g + 30 && r > 60; }
 inline bool is_ring(int r, int g, int b) { return r > 200 && g > 140 && g < 215 && b < 140; }
 inline bool is_red(int r, int g, int b) { return r > 190 && g < 90 && b < 100; }

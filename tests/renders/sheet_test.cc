@@ -14,7 +14,7 @@ namespace {
 constexpr int kSide = 100;
 const Color kBlack{0.0F, 0.0F, 0.0F};
 
-// What is drawn in black on white: the area that it covers, in pixels.
+// The area of a drawing in black on white, in pixels.
 struct Drawing {
   Picture picture{kSide, kSide};
   Sheet sheet;
@@ -31,7 +31,7 @@ struct Drawing {
   }
 };
 
-// Smooth edges keep the area: 1 %, of 8-bit shades.
+// Smooth edges keep the area to 1 %, the error of 8-bit shades.
 void expect_area(const Drawing& drawing, double area) {
   EXPECT_NEAR(drawing.ink(), area, 0.01 * area);
 }
@@ -102,12 +102,12 @@ TEST(Font, HasTheLettersOfUnits) {
     EXPECT_NE(drawn(letter), nothing) << letter;
     EXPECT_NE(drawn(letter), box) << letter;
   }
-  // Digits are of one width, so that readings stand still.
+  // All digits have the same width, so that readings do not move.
   const Sheet sheet = Drawing().sheet;
   EXPECT_EQ(sheet.text_width("1111", 17), sheet.text_width("8888", 17));
 }
 
-// A byte that is none has the sign for it, and does not end the drawing.
+// An invalid byte is drawn as a replacement sign, and does not end the drawing.
 TEST(Font, ReadsUtf8) {
   const auto drawn = [](const char* words) {
     Drawing drawing;
@@ -124,7 +124,7 @@ TEST(Font, ReadsUtf8) {
 
 TEST(Unrolled, ABounceOfThreeMicrometresIsSeen) {
   const UnrolledView view(kClearance, 0.0);
-  // Of a plot 500 pixels high a bounce of 3 um rises 150 and more from the ring's line.
+  // In a plot of 500 pixels a bounce of 3 um rises 150 and more from the ring's line.
   EXPECT_GT(500.0 * (view.height_of(0.0) - view.height_of(3e-6)), 150.0);
   EXPECT_EQ(view.height_of(0.0), 1.0);
   EXPECT_GE(view.height_of(kClearance), 0.0);

@@ -17,7 +17,7 @@ const Color kRed{1.0F, 0.0F, 0.0F};
 
 bool red(int r, int g, int b) { return r > 100 && g < 80 && b < 80; }
 
-// A picture of what `draw` puts before a camera that looks along -X: Y to the right, Z up.
+// A picture of what `draw` adds before a camera that looks along -X: Y to the right, Z up.
 Picture picture_of(const std::vector<Mesh>& meshes, const std::function<void(Canvas&)>& draw) {
   const MujocoErrors errors;
   Stage stage({kSize, kSize, 0, {1.0F, 1.0F, 1.0F}}, meshes);
@@ -105,7 +105,7 @@ double volume(const Mesh& mesh) {
 // Area of the regular polygon that stands for a circle of radius 1, per radian.
 double polygon(double step) { return 0.5 * std::sin(step) / step; }
 
-// A whole ring, a part of one between flat ends, and a disc.
+// A whole ring, a part of one with flat ends, and a disc.
 TEST(Mesh, RingEnclosesItsVolume) {
   struct Case {
     double bore, from, to;

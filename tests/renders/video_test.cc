@@ -16,7 +16,7 @@
 namespace rotorub::renders {
 namespace {
 
-// What ffprobe says of a file, "key=value" lines.
+// The output of ffprobe for a file, "key=value" lines.
 std::string probe(const std::filesystem::path& file) {
   const std::string command =
       "ffprobe -v error -count_frames -show_entries "
@@ -54,7 +54,7 @@ RenderOptions short_film() {
   return options;
 }
 
-// PATH as it is for one scope.
+// Restores PATH at the end of the scope.
 class Path {
  public:
   explicit Path(const std::string& value) : before_(std::getenv("PATH")) {
@@ -88,7 +88,7 @@ TEST(Video, FilmHasItsFramesSizeAndFormat) {
                            "nb_read_frames=12\n", "avg_frame_rate=12/1\n"}) {
     EXPECT_NE(said.find(line), std::string::npos) << line << said;
   }
-  // Nothing else is left beside it, and the index comes first, for playing while loading.
+  // No other file is left beside it, and the index comes first, for playing while loading.
   EXPECT_EQ(folder.entries(), 1u);
   const std::string content = bytes(folder / "film.mp4");
   EXPECT_LT(content.find("moov"), content.find("mdat"));
@@ -166,7 +166,7 @@ TEST(Video, AFilmOnAFullDiskIsNotWritten) {
   }
 }
 
-// One that says nothing and leaves half of a film: its first box reaches beyond the file.
+// An encoder that reports nothing and leaves half of a film: its first box reaches beyond the file.
 TEST(Video, AFilmThatIsNotWholeIsNotWritten) {
   const Folder folder;
   const Path path =

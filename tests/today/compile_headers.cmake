@@ -1,7 +1,7 @@
 # cmake -DCOMPILER=... -DSOURCE_DIR=... -DMUJOCO=<include folder> "-DINCLUDES=<other libraries' include folders>" -DWORK_DIR=...
 #   -DEVERY=<ON or OFF> -P compile_headers.cmake
-# Reads the headers that use MuJoCo, and the sources that depend on its version, with the headers of one MuJoCo, without
-# making code; EVERY=ON: every source that may include mujoco.h. The files of a folder are one unit, as they are built
+# Checks the syntax of the headers that use MuJoCo, and of the sources that depend on its version, with the headers of one
+# MuJoCo. EVERY=ON checks every source that may include mujoco.h. The files of a folder are one unit, as in the build
 # (RotorubUnity).
 set(sources "")
 set(headers "")
@@ -53,7 +53,7 @@ set(flags -std=c++20 -Wall -Wextra -Wconversion -Wformat=2 -Werror -I "${SOURCE_
 foreach(include IN LISTS INCLUDES MUJOCO)
   list(APPEND flags -isystem "${include}")
 endforeach()
-# Two at a time, by xargs.
+# xargs runs two at a time.
 list(JOIN units "\n" names)
 execute_process(COMMAND sh -c "printf '%s\\n' \"$0\" | xargs -P 2 -n 1 \"$@\"" "${names}" "${COMPILER}" ${flags} -fsyntax-only
                 RESULT_VARIABLE failed)

@@ -60,7 +60,7 @@ Figures step_through(const mjModel* m, double end, const std::vector<double>& ti
     if (f > 0.0) ++touching;
     sum += f;
     squares += f * f;
-    // geom_xpos is that of the step's begin.
+    // geom_xpos belongs to the begin of the step.
     if (next < times.size() && static_cast<double>(k) * h >= times[next] - 0.5 * h) {
       const mjtNum* at = d->geom_xpos + 3 * rotor;
       out.error = std::max(out.error, std::hypot(at[0] - reference.column("rotor_x")[next],

@@ -1,5 +1,5 @@
-// Contacts by instances of the plugin "rotorub.contact" in <extension>: each document has a twin
-// whose <custom> says the same.
+// Contacts by instances of the plugin "rotorub.contact" in <extension>: each document has an
+// equivalent with <custom>.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::string instance(const std::string& name, const std::map<std::string, std::s
   return text + "</instance>";
 }
 
-// What <custom> says, said by instances.
+// Replaces <custom> by instances.
 std::string by_instances(std::string document) {
   const std::regex name(
       R"re(<(?:text|numeric) name="(\w*?)rotorub_(rotor_geom|ring_geom|contact|clearance|radius|)re"
@@ -220,7 +220,7 @@ TEST_F(Instances, StandAlone) {
                  "<extension>: has a contact beside the contact of the scene's text");
 }
 
-// Linked, the plugin works while its Hooks live, and is never silent afterwards.
+// Linked, the plugin works while its Hooks exist, and is never silent afterwards.
 TEST(InstancesWithoutHooks, AreRefused) {
   class Quiet : public MujocoTest {
     void TestBody() override {}
@@ -242,7 +242,7 @@ TEST_F(InstancesInTestspeed, NeedThePlugin) {
   EXPECT_NE(said_.find("rotorub.contact"), std::string::npos) << said_;
 }
 
-// What plugin/README.md shows.
+// The example of plugin/README.md.
 TEST_F(Instances, OfTheReadme) {
   const std::string readme = scene::file_text(ROTORUB_SOURCE_DIR "/plugin/README.md");
   const auto between = [&](const std::string& from, const std::string& to) {

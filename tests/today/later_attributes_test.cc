@@ -1,9 +1,7 @@
-// Attributes that MuJoCo has had since 2.2 on what the plugin takes over: refused by name, or
-// honoured.
+// Attributes that MuJoCo added after 2.2 to elements that the plugin takes over: they are refused
+// by name, or obeyed.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "mjcf/names.h"
@@ -110,7 +108,7 @@ TEST_F(LaterAttributes, AdhesionOfAGeomActsInNoPair) {
   }
 }
 
-// Edited in mjModel, they are found in the next pass.
+// Edits in mjModel are found in the next pass.
 TEST_F(LaterAttributes, AnEditIsRefusedInTheNextPass) {
   const auto expect_refusal = [](const std::string& text, auto edit) {
     const ModelPointer m = load(text);

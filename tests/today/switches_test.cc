@@ -1,5 +1,5 @@
-// What MuJoCo of today does otherwise in a step: mjcb_control left out, its own threads, sleep,
-// islands, the exact diagonal; and the plugin in a program that loads it as Python does.
+// Differences of a step in recent versions of MuJoCo: mjcb_control left out, its own threads,
+// sleep, islands, the exact diagonal; and the plugin in a program that loads it as Python does.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
@@ -30,7 +30,7 @@ class Switches : public MujocoTest {
   plugin::Hooks hooks_;
 };
 
-// mj_forward calls no mjcb_control then; there is nothing to actuate here, so nothing may change.
+// mj_forward then does not call mjcb_control; this model has no actuator, so nothing may change.
 TEST_F(Switches, DisabledActuationChangesNothing) {
   for (const char* contact : {"rigid", "coulomb", "cone", "cone-coulomb"}) {
     const ModelPointer m = load(bench(contact));

@@ -1,4 +1,4 @@
-// MuJoCo's own testspeed, of 2.2.2 or of today, with the plugin preloaded.
+// MuJoCo's own testspeed, of 2.2.2 or of a recent version, with the plugin preloaded.
 #pragma once
 
 #include <gtest/gtest.h>

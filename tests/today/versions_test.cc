@@ -1,4 +1,4 @@
-// The plugin on MuJoCo of today against MuJoCo 2.2.2, each in its own unmodified testspeed.
+// The plugin in a recent MuJoCo against MuJoCo 2.2.2, each in its own unmodified testspeed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,9 +25,9 @@ std::string with(std::string text, const std::string& from, const std::string& t
   return text;
 }
 
-// Without its motor the rotor of the example would not reach the ring: it is thrown at it.
+// Without its motor the rotor of the example would not reach the ring, so it is thrown at it.
 std::string own_model() {
-  // Today's testspeed takes controls from the keyframe, that of 2.2.2 does not.
+  // Recent versions of testspeed read controls from the keyframe, that of 2.2.2 does not.
   return with(with(own_model_example(), "qvel=\"0 0 300", "qvel=\"1 0 300"), "320 0 0", "0 0 0");
 }
 

@@ -18,9 +18,10 @@
 namespace rotorub::peers {
 namespace {
 
-// m/s: slower closings do not bounce. One step of the acceleration would do that for ever.
+// m/s: slower closings do not bounce. Without this limit the acceleration of one step would cause
+// bounces for ever.
 constexpr double kBounceSpeed = 1e-3;
-// kg m^2 of what must not turn: the ring about any axis, the rotor about x and y.
+// kg m^2, inertia of bodies that must not turn: the ring about any axis, the rotor about x and y.
 constexpr double kHeld = 1e6;
 // Share of the depth that a step takes out (ODE's own default is 0.2).
 constexpr double kErp = 0.2;
@@ -42,7 +43,7 @@ class OdeStepper final : public Stepper {
     joints_ = dJointGroupCreate(0);
     rotor_ = body(system.rotor.mass[0], system.spin_is_free ? system.inertia : kHeld,
                   system.position, system.velocity);
-    // A held spin stands still here; the contact's surface moves instead.
+    // A held spin does not turn the body; the contact's surface moves instead.
     if (system.spin_is_free) dBodySetAngularVel(rotor_, 0.0, 0.0, system.speed);
     if (system.ring_moves) {
       ring_ = body(system.ring.mass[0], kHeld, system.ring_position, system.ring_velocity);
@@ -71,7 +72,7 @@ class OdeStepper final : public Stepper {
     dBodySetPosition(b, x[0], x[1], 0.0);
     dBodySetLinearVel(b, v[0], v[1], 0.0);
     dBodySetGyroscopicMode(b, 0);
-    // The disc is round: its attitude need not be followed, and not to do so keeps it in the plane.
+    // The disc is round, so its attitude is not followed, which keeps it in the plane.
     dBodySetFiniteRotationMode(b, 0);
     return b;
   }
@@ -136,7 +137,7 @@ class OdeStepper final : public Stepper {
       r.ring_velocity = {w[0], w[1]};
     }
     r.speed = system_.spin_is_free ? dBodyGetAngularVel(rotor_)[2] : system_.speed;
-    // ODE keeps attitudes, not turns.
+    // ODE stores attitudes, not numbers of turns.
     angle_ += step_ * r.speed;
     r.angle = angle_;
     if (!touching_) return;
@@ -157,7 +158,8 @@ class OdeStepper final : public Stepper {
   std::int64_t taken_ = 0;
 };
 
-// ODE's errors end the program, and its messages go to standard error: neither is wanted here.
+// By default ODE's errors end the program, and its messages go to standard error. Both are
+// disabled.
 void silent(int, const char*, va_list) {}
 
 Stepper* make(const PlanarSystem& system, double step) {

@@ -1,4 +1,4 @@
-// A whole run of a peer: its steps in chunks, timed without the recorder, which is ours.
+// A whole run of a peer. Its steps are timed in chunks without our recorder.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,8 @@
 
 namespace rotorub::peers {
 
-// kImpulsive: an impact is over within a step. kSoft: it is an episode of contact, many steps long.
+// kImpulsive: an impact is over within one step. kSoft: an impact is an episode of contact of many
+// steps.
 enum class PeerContact { kImpulsive, kSoft };
 using MakeStepper = std::function<std::unique_ptr<Stepper>(const PlanarSystem&, double step)>;
 

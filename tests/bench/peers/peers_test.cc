@@ -1,4 +1,4 @@
-// The peers solve the scenes that they are given, each as well as its scheme allows.
+// Each peer solves the scenes that it accepts, as accurately as its scheme allows.
 #include "compare/peers/peers.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ class EveryPeer : public testing::TestWithParam<std::string> {
   }
 };
 
-// The rankings are the test; the bounds are twice what was met.
+// The test compares the ranking; the bounds are twice the measured errors.
 TEST_P(EveryPeer, ConvergesOnTheRing) {
   const scene::Scene scene = shipped("bench_ring", {"run.end=0.1"});
   const double coarse = error(scene, 1e-4), fine = error(scene, 1e-5);
@@ -93,7 +93,7 @@ TEST_P(EveryPeer, BouncesWithTheRestitution) {
               0.02 * std::abs(t.impacts[0].gap_rate_before));
 }
 
-// Parts that it has no place for are named, and nothing is computed without them.
+// A peer names the parts that it does not support, and computes nothing for scenes with them.
 TEST_P(EveryPeer, RefusesWhatItCannotHold) {
   struct Case {
     const char *scene, *override, *part;
@@ -116,14 +116,14 @@ TEST_P(EveryPeer, RefusesWhatItCannotHold) {
 INSTANTIATE_TEST_SUITE_P(Peers, EveryPeer, testing::Values("siconos", "ode", "penalty"),
                          [](const auto& one) { return one.param; });
 
-// A peer that is not here says what to install, and is no engine.
+// A missing peer names the package to install, and is not an engine.
 TEST(ModulePeer, SaysWhatIsMissing) {
   const Peer none = module_peer("nothing", "made up", "libnothing-dev");
   EXPECT_TRUE(none.variants.empty());
   EXPECT_NE(none.missing.find("libnothing-dev"), std::string::npos) << none.missing;
 }
 
-// Every one of them, up to two steps a bounce and the implicit ones, goes to the rigid contact.
+// Every law tends to the rigid contact, up to two steps a bounce, the implicit rule too.
 TEST(PenaltyVariants, AllConverge) {
   const scene::Scene scene = shipped("bench_annular_rigid", {"run.end=0.05"});
   ASSERT_EQ(peer("penalty").variants.size(), 6u);

@@ -10,7 +10,7 @@
 namespace rotorub::peers {
 namespace {
 
-// The first part that a planar system of one mode has no place for; empty: none.
+// The first part that a planar system of one mode cannot represent; empty if there is none.
 std::string beyond(const scene::Scene& s, const Model& m) {
   if (m.layout.modes != 1) return fmt::format("{} bending modes in a plane", m.layout.modes);
   if (!s.first().contact) return "a scene without [contact]";

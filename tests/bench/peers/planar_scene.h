@@ -1,4 +1,4 @@
-// From a scene to the planar system that peers are given.
+// Converts a scene to the planar system that peers receive.
 #pragma once
 
 #include "native_model/scene/scene.h"
@@ -6,8 +6,8 @@
 
 namespace rotorub::peers {
 
-// Throws std::runtime_error that names the part for a scene with one that a planar system of one
-// mode has no place for.
+// Throws std::runtime_error with the name of a part that a planar system of one mode cannot
+// represent.
 PlanarSystem planar_system(const scene::Scene& scene);
 
 }  // namespace rotorub::peers

@@ -65,7 +65,8 @@ inline PlanarGap planar_gap(const PlanarSystem& s, const Pair& x, const Pair& v,
   const Pair dv{v[0] - ring_v[0], v[1] - ring_v[1]};
   g.distance = std::hypot(d[0], d[1]);
   g.gap = s.clearance - g.distance;
-  // At the centre there is no normal; any will do, as nothing touches there.
+  // At the centre the normal is undefined; any direction will do, because there is no contact
+  // there.
   if (g.distance > 1e-15) g.normal = {d[0] / g.distance, d[1] / g.distance};
   g.gap_rate = -(g.normal[0] * dv[0] + g.normal[1] * dv[1]);
   g.slip = -g.normal[1] * dv[0] + g.normal[0] * dv[1] + s.radius * spin;

@@ -1,4 +1,4 @@
-// The interface of a peer's solver, and of the modules that hold one.
+// The interface of a peer's solver, and of the modules that contain one.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct StepRecord {
 class Stepper {
  public:
   virtual ~Stepper() = default;
-  // The next `count` steps, into `records`. False: the solver gave up (message()).
+  // Computes the next `count` steps into `records`. False: the solver failed (message()).
   virtual bool advance(std::int64_t count, StepRecord* records) = 0;
   virtual const char* message() const = 0;
 };

@@ -1,4 +1,4 @@
-// rotorub fmu: the plant in an importer that knows nothing of rotorub but the archive.
+// rotorub fmu: the plant in an importer that uses only the archive.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -81,7 +81,7 @@ TEST_P(FmuOfScene, GivesTheBitsOfARunAndStepsBackByASavedState) {
   }
   EXPECT_EQ(plant.of_state("FreeFMUState"), kFmiOK);
   EXPECT_EQ(plant.state, nullptr);
-  // Anew from the start.
+  // Starts again.
   ASSERT_EQ(plant.call("Reset"), kFmiOK);
   ASSERT_EQ(plant.initialize(0.0, false, 0.0), kFmiOK);
   expect_rows(0);
@@ -116,7 +116,7 @@ std::map<std::string, double> end_of_run(const Folder& folder, const std::string
   return last;
 }
 
-// As --set takes it: "force[0].vector.x" is a part of the list force[0].vector.
+// In the notation of --set: "force[0].vector.x" is an element of the list force[0].vector.
 std::string override_of(const UnpackedFmu& fmu, const std::string& name, double value) {
   std::ostringstream change;
   change.precision(17);
@@ -132,7 +132,8 @@ std::string override_of(const UnpackedFmu& fmu, const std::string& name, double 
 
 class FmuParameters : public testing::TestWithParam<const char*> {};
 
-// Each parameter is the key of its name: the bits of `rotorub run --set` with the same value.
+// Each parameter is the key of its name: it gives the bits of `rotorub run --set` with the same
+// value.
 TEST_P(FmuParameters, GiveTheBitsOfARunWithTheSameValues) {
   const Folder folder;
   const UnpackedFmu fmu = fmu_of(folder, GetParam(), {"--set", "run.end=0.0625"});
@@ -171,7 +172,7 @@ TEST_P(FmuParameters, GiveTheBitsOfARunWithTheSameValues) {
   }
   ASSERT_EQ(plant.initialize(0.0, true, 0.0625), kFmiOK) << plant.said;
   expect_run(all);
-  // And none: the plant of the scene.
+  // Without parameters it is the plant of the scene.
   ASSERT_EQ(plant.call("Reset"), kFmiOK);
   ASSERT_EQ(plant.initialize(0.0, true, 0.0625), kFmiOK);
   expect_run({});
@@ -224,7 +225,7 @@ TEST(Fmu, ASavedStateKeepsItsParameters) {
   EXPECT_EQ(plant.of_state("FreeFMUState"), kFmiOK);
 }
 
-// Coordinates of single modes are shown on request; what is shown always has the same reference.
+// Coordinates of single modes are shown on request; shown variables always keep their reference.
 TEST(Fmu, ShowsModalCoordinatesOnRequest) {
   const Folder folder;
   folder.done({"fmu", shipped("paper_passive"), "-q", "-o", "named.fmu"});
@@ -262,7 +263,7 @@ TEST(Fmu, ReturnsAtEventsToAnImporterThatHandlesThem) {
   EXPECT_EQ(met, 5u);
 }
 
-// A law outside, step by step: what it commands arrives, within the actuator's limit.
+// A law outside, step by step: its commands reach the plant, within the actuator's limit.
 TEST(Fmu, TakesTheCommandOfALawOutside) {
   const Folder folder;
   const UnpackedFmu fmu = fmu_of(folder, "paper_passive", {"--set", "actuator.force_limit=50"});
@@ -291,7 +292,8 @@ TEST(Fmu, TakesTheCommandOfALawOutside) {
   EXPECT_LT(held, 0.9 * free) << "a stiffer ring moves less";
 }
 
-// Every function that the standard declares; and what cannot be done has a word.
+// The binary has every function that the standard declares, and refuses unsupported calls with a
+// message.
 TEST(Fmu, HasEveryFunctionAndRefusesWithAWord) {
   const Folder folder;
   const UnpackedFmu fmu = fmu_of(folder, "bench_ring");
@@ -389,7 +391,7 @@ TEST(Fmu, OfVersionTwoGivesTheSameNumbers) {
             kFmiOK);
   for (const char* name : {"fmi2EnterInitializationMode", "fmi2ExitInitializationMode"})
     ASSERT_EQ(function(name, OfInstance{})(instance), kFmiOK);
-  // The description of 2.0 writes a variable as an element around its type; in the same order.
+  // The description of 2.0 writes a variable as an element around its type, in the same order.
   for (const auto& [name, output] : three.outputs)
     EXPECT_TRUE(contains(two.description(), "name=\"" + name + "\" valueReference=\"" +
                                                 std::to_string(output.reference) + "\""));

@@ -20,7 +20,7 @@
 
 namespace rotorub::test {
 
-// The leak checker finds what a module's own variables hold only while the module is loaded.
+// The leak checker finds memory that a module's variables hold only while the module is loaded.
 #ifdef __SANITIZE_ADDRESS__
 inline constexpr int kOpening = RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE;
 #else

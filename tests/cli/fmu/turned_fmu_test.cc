@@ -1,5 +1,5 @@
-// Every shipped machine turned by an odd angle, as an FMU: its outputs must be those of the other
-// FMU, turned.
+// Every shipped machine turned by an odd angle, as an FMU: its outputs must be those of the
+// original FMU, turned.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,14 +19,14 @@ namespace {
 
 constexpr double kInterval = 0x1p-11;  // s
 constexpr int kIntervals = 64;
-// The largest difference: a share of the largest value of the output over the run, and, of what is
-// 0 but for round-off, in SI units.
+// The largest difference, relative to the largest value of the output over the run; in SI units for
+// outputs that are 0 but for round-off.
 constexpr double kSame = 1e-5, kZero = 1e-9;
 
 // The outputs of a plant over time, by name.
 using Outputs = std::map<std::string, std::vector<double>>;
 
-// Under a load on the rotor, N, that is turned as well.
+// The run is under a load on the rotor, N, that is turned as well.
 Outputs outputs_of(const UnpackedFmu& fmu, const Eigen::Vector2d& load) {
   Plant plant(fmu);
   EXPECT_EQ(plant.initialize(0.0, true, kIntervals * kInterval), kFmiOK) << plant.said;

@@ -115,7 +115,7 @@ TEST(BenchJson, LevelsOrdersMapAndRestitution) {
 }
 
 // Never NaN, whatever a metric came to.
-TEST(BenchJson, WhatIsNotFiniteIsNull) {
+TEST(BenchJson, NumbersThatAreNotFiniteAreNull) {
   SceneBench b = made_bench();
   b.points[4].errors = PointErrors{std::numeric_limits<double>::quiet_NaN(), {}, {}};
   b.points[4].limit_error = std::numeric_limits<double>::infinity();

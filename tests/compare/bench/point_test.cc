@@ -13,7 +13,7 @@
 namespace rotorub::bench {
 namespace {
 
-// The metrics of a point on made-up trajectories whose answers are known.
+// The metrics of a point on made-up trajectories with known answers.
 
 using test::at_two_contacts;
 using test::hand_made;
@@ -45,7 +45,7 @@ void shift(Trajectory& t, const std::string& name, std::size_t row, double by) {
   }
 }
 
-// The largest of all rows and of both bodies, by Pythagoras.
+// The largest error of all rows and of both bodies, by Pythagoras.
 TEST(PointErrors, PositionIsTheLargestDistanceOfEitherBody) {
   const Reference exact = reference_of(rub({}));
   Trajectory off = exact.trajectory;
@@ -60,7 +60,7 @@ TEST(PointErrors, PositionIsTheLargestDistanceOfEitherBody) {
 
 TEST(PointErrors, ForceIsTheMeanDeviationOverLastingContact) {
   const Whirl w;
-  // Free for the first half: what is said of the force there does not count.
+  // The rotor is free in the first half, whose forces do not count.
   const auto half = [&](double factor, double before) {
     return hand_made(kRows, kSpacing, [&, factor, before](double t) {
       Row row = sliding(w, t);
@@ -71,7 +71,7 @@ TEST(PointErrors, ForceIsTheMeanDeviationOverLastingContact) {
   const Reference exact = reference_of(half(1.0, 0.0));
   EXPECT_NEAR(*point_errors(half(1.02, 0.0), exact).force, 0.02, 1e-12);
   EXPECT_NEAR(*point_errors(half(0.97, 55.0), exact).force, 0.03, 1e-12);
-  // Chatter has the right mean and is wrong all the same.
+  // Chatter has the right mean and is wrong nevertheless.
   int row = 0;
   const Trajectory chatter = hand_made(kRows, kSpacing, [&](double t) {
     Row r = sliding(w, t);
@@ -160,7 +160,7 @@ TEST(Judgement, AnEarlyEndSaysWhyAndWhen) {
   EXPECT_EQ(judge(t, {}, settled(rub({})), kFacts).outcome, Outcome::kRefused);
 }
 
-// A soft contact that has let the rotor go says `ok` itself.
+// A soft contact that has let the rotor go reports `ok`.
 TEST(Judgement, ARotorFarOutsideHasDiverged) {
   Trajectory t = rub({});
   t.statistics.max_penetration = 9.0 * Whirl{}.clearance;
@@ -170,8 +170,8 @@ TEST(Judgement, ARotorFarOutsideHasDiverged) {
   EXPECT_NE(judged(t, rub({})).reason.find("deep"), std::string::npos);
 }
 
-// Two clearances deep in a wide ring is there; twelve in a narrow one is gone, at whichever
-// contact.
+// Two clearances deep in a wide ring the rotor is still there; twelve deep in a narrow one it is
+// gone, at whichever contact.
 TEST(Judgement, EachDepthIsJudgedByItsOwnClearance) {
   std::vector<ContactFacts> facts{ContactFacts{2e-3, 0.05}, ContactFacts{0.05e-3, 0.05}};
   Trajectory t = rub({});
@@ -292,7 +292,7 @@ TEST_F(ErrorPass, FinerStepsAreMoreExactAndTheFinestIsTheLimit) {
   EXPECT_LT(points[1].errors->position, points[0].errors->position);
   EXPECT_LT(points[2].errors->position, points[1].errors->position);
   EXPECT_FALSE(points[2].limit_error) << "the finest has none to be compared with";
-  // It converges to the reference: its distance to its own limit is its error, nearly.
+  // The run converges to the reference, so its distance to its own limit is nearly its error.
   EXPECT_NEAR(*points[0].limit_error, points[0].errors->position, 0.1 * points[0].errors->position);
   EXPECT_LT(*points[1].limit_error, *points[0].limit_error);
 }
@@ -305,7 +305,7 @@ class Throws final : public Engine {
   }
 };
 
-// A failure is a point with its reason, and the others go on.
+// A failure is a point with its reason, and the others continue.
 TEST_F(ErrorPass, WhatFailsSaysWhy) {
   Setting refused = setting(scene::Integrator::kVerlet, 1e-5);
   refused.refusal = "no such variant";

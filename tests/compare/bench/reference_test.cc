@@ -18,8 +18,8 @@ RunRequest rows(const scene::Scene& scene) {
   return r;
 }
 
-// Shares of the clearance that a reference has to tell apart: 100 times finer than the finest
-// level.
+// Relative to the clearance: differences that a reference must resolve, 100 times smaller than the
+// finest level.
 constexpr double kFinestLevel = 1e-8;
 
 struct Case {
@@ -38,7 +38,7 @@ TEST_P(Shipped, IsAHundredTimesTighterThanTheFinestLevel) {
   EXPECT_GT(r.error, 0.0) << "nothing is without error";
   const double needed = kFinestLevel * scene.first().contact->clearance / kReferenceMargin;
   EXPECT_LE(r.error, needed);
-  // `event` and the closed forms vouch for each other.
+  // `event` and the closed forms confirm each other.
   EXPECT_LE(r.event_distance, needed);
 }
 
@@ -49,8 +49,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Shipped,
                                          Case{"bench_annular_rigid", "annular rub"},
                                          Case{"bench_annular_elastic", "annular rub"}));
 
-// Two independent solvers, published to 1e-13 and 1e-12 m: the estimate of the error is honest as
-// far as that can tell.
+// Two independent solvers, published to 1e-13 and 1e-12 m, test the estimate of the error.
 TEST(Reference, AgreesWithThePublishedDigitsOfTheRing) {
   const scene::Scene scene = shipped("bench_ring");
   RunRequest request;
@@ -65,8 +64,8 @@ TEST(Reference, AgreesWithThePublishedDigitsOfTheRing) {
   EXPECT_NEAR(r.trajectory.column("normal_force")[2], 121.7020407, 1e-7);
 }
 
-// The estimate must not be smaller than what is known: against closed forms the error of `event`
-// is seen, and it is estimated from looser tolerances alone.
+// The estimate must not be smaller than the known error: closed forms show the error of `event`,
+// and the estimate uses only looser tolerances.
 TEST(Reference, EstimateCoversTheTrueErrorOfEvent) {
   for (const char* name : {"bench_annular_elastic", "bench_billiard"}) {
     const scene::Scene scene = shipped(name);
@@ -78,12 +77,12 @@ TEST(Reference, EstimateCoversTheTrueErrorOfEvent) {
     ASSERT_NE(put_closed_form(scene, exact), "");
     const double estimate =
         std::max(position_distance(event, run(3e-10)), position_distance(event, run(1e-9)));
-    // Round-off of thousands of operations comes on top of either.
+    // Round-off of thousands of operations is added to either.
     EXPECT_LE(position_distance(event, exact), estimate + 1e-15) << name;
   }
 }
 
-// A part that the closed form knows nothing of takes it away.
+// A scene with a part that the closed form lacks does not use it.
 TEST(ClosedForm, IsLeftOutWhereTheSceneIsAnother) {
   struct Change {
     const char *scene, *override;
@@ -115,7 +114,7 @@ TEST(CommonTimes, AreEndsOfStepsOfTheWholeLadder) {
       EXPECT_NEAR(t / step, std::round(t / step), 1e-6);
     }
   }
-  // No common grid worth having: the scene's own rows.
+  // There is no useful common grid, so the scene's own rows are used.
   EXPECT_EQ(common_times(run, {1e-5, 3.14159265e-6}).size(), 1001u);
   run.end = 1e-3;
   EXPECT_EQ(common_times(run, {2e-4}).size(), 1001u) << "five rows are too few";

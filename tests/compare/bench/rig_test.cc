@@ -35,8 +35,8 @@ TEST(Rig, EventIsFastestDownToEngineeringErrors) {
   }
 }
 
-// The step bound of the law pays: at 1e-4 of the clearance its fastest setting is not the soft one
-// that stands first.
+// The bound of the law's step pays: at 1e-4 of the clearance its fastest setting is not the first,
+// soft one.
 TEST(Penalty, IsQuickerAtItsStepBound) {
   const SceneBench bench = coarse_bench("bench_annular_rigid", "native-event,penalty");
   const Level& level = bench.levels[2];

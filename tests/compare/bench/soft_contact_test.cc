@@ -15,17 +15,17 @@ namespace {
 
 const Progress kQuiet = [](double, const std::string&) {};
 
-// A public benchmark of engines has it that MuJoCo's restitution cannot be set. The direct solref
+// A public benchmark of engines says that MuJoCo's restitution cannot be set. The direct solref
 // sets it; the default does not.
 TEST(RestitutionLong, MujocoCanBeCalibrated) {
-  // Share of the approach speed: of a bounce of 300 steps, the last is whole.
+  // Relative to the approach speed, for a bounce of 300 steps of which the last is complete.
   constexpr double kCalibrated = 3e-3;
   const auto rows = restitution_table(kQuiet, nullptr);
   int calibrated = 0, defaults = 0;
   for (const RestitutionRow& r : rows) {
     ASSERT_EQ(r.failure, "") << r.engine;
     if (r.setting == "K 1e6") {
-      // No damping makes it 0: see kMaxDampingRatio.
+      // No damping gives 0: see kMaxDampingRatio.
       const double least = soft_restitution(kMaxDampingRatio);
       EXPECT_NEAR(r.got, std::max(r.asked, least), kCalibrated) << r.engine << " " << r.asked;
       ++calibrated;
@@ -61,7 +61,7 @@ TEST(StabilityMapLong, HasACellForEveryStepStiffnessAndFriction) {
   EXPECT_EQ(cone_fine, 0) << "a rub that lasts bounces with the friction cone";
 }
 
-// Interrupted before its first cell.
+// The run is interrupted before its first cell.
 TEST(StabilityMap, IsOfTheLargestFrictionInAnyOrder) {
   const std::atomic<bool> stop{true};
   scene::Scene scene = test::make_scene({.stiffness = 2e5, .friction = 0.1});

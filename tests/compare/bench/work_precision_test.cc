@@ -43,7 +43,7 @@ TEST(Series, GatherWhatDiffersInStepOrToleranceAlone) {
   EXPECT_EQ(all[3].us_per_step, 0.0) << "never timed";
 }
 
-// An error that consists of round-off or of the reference's own error does not spoil the order.
+// Errors that consist of round-off or of the reference's own error do not affect the order.
 TEST(Series, OrderLeavesOutWhatLiesAtTheFloor) {
   std::vector<Point> points;
   for (const double h : {1e-4, 1e-5, 1e-6, 1e-7}) {
@@ -53,7 +53,7 @@ TEST(Series, OrderLeavesOutWhatLiesAtTheFloor) {
   EXPECT_LT(*series_of(points, {0.0, 1.0})[0].order, 1.9);
 }
 
-// Nor do errors as large as the clearance: what has flown away has no order.
+// Errors as large as the clearance do not either, because a rotor that has left has no order.
 TEST(Series, OrderLeavesOutWhatIsNoResult) {
   std::vector<Point> points{made_point("ode", 1e-3, 4e3, 1e-3)};
   for (const double h : {1e-4, 1e-5, 1e-6}) points.push_back(made_point("ode", h, 0.5 * h, 1e-3));
@@ -78,7 +78,7 @@ std::vector<BenchEngine> engines() {
           made_engine("ode", Family::kPeer)};
 }
 
-// Each engine counts with the quickest of its points that is exact enough.
+// Each engine is represented by the fastest of its points that is accurate enough.
 TEST(Levels, TakeTheFastestPointWithinTheLevel) {
   const std::vector<Point> points{
       made_point("native-verlet", 1e-4, 5e-6, 1e-3), made_point("native-verlet", 1e-5, 5e-8, 8e-3),
@@ -95,7 +95,7 @@ TEST(Levels, TakeTheFastestPointWithinTheLevel) {
   EXPECT_TRUE(*native_is_fastest(all[0]));
   EXPECT_FALSE(*rigid_is_fastest_mujoco(all[0])) << "the cone is quicker at this level";
 
-  // 1e-6 m: ODE is quicker than the one native step that is exact enough.
+  // At 1e-6 m ODE is faster than the one native step that is accurate enough.
   ASSERT_EQ(all[1].engines.size(), 3u);
   EXPECT_EQ(all[1].engines[0].engine, "ode");
   EXPECT_FALSE(*native_is_fastest(all[1]));
@@ -124,7 +124,7 @@ TEST(Levels, TheHeadlineStopsAtEngineering) {
       << verdict;
 }
 
-// Nobody is the fastest at nothing.
+// No engine is the fastest without a point.
 TEST(Levels, AVerdictOnNothingSaysSo) {
   EXPECT_EQ(verdict_text(levels({}, engines(), kClearance, 0.0)),
             "No engine reaches any of these levels.");
@@ -144,7 +144,7 @@ TEST(Levels, FailuresAndUntimedPointsDoNotCount) {
   }
 }
 
-// An error that is nearer to the reference than the reference to the truth says nothing.
+// An error that is smaller than the error of the reference has no meaning.
 TEST(Levels, KnowWhatTheReferenceCannotTell) {
   const auto all = levels({}, engines(), kClearance, 2e-12);
   EXPECT_TRUE(all[4].judged) << "1e-9 m against 100 times 2e-12";

@@ -1,4 +1,4 @@
-// A case on a made-up run: passes, is refused, violates; and what the program says of it.
+// A case on a made-up run: it passes, is refused or violates a rule; and the output of the program.
 #include "compare/check/scene_check.h"
 
 #include <gtest/gtest.h>
@@ -94,7 +94,7 @@ TEST(CheckCase, ARefusalIsWhatItsFileSaysOrAViolation) {
   }
   EXPECT_NE(judged(native(), {refused()}, large).deciding.reason.find("step_too_large: beyond"),
             std::string::npos);
-  // Expected, and did not come; or came without a word.
+  // The refusal was expected and did not come, or came without a reason.
   EXPECT_EQ(judged(native(), {refused()}, ran()).outcome(), Outcome::kViolates);
   EXPECT_EQ(judged(native(), {refused()}, ended(Status::kOutOfRange, "")).outcome(),
             Outcome::kViolates);

@@ -48,7 +48,7 @@ TEST(CheckMetric, LooksAtColumnsAndEvents) {
   EXPECT_EQ(measure("count.lift_off", in_a_ring(), t, nullptr), 0.0);
 }
 
-// Every second row of the one is a row of the other; a run that ended early has fewer.
+// Every second row of one run is a row of the other; a run that ended early has fewer rows.
 TEST(CheckMetric, TakesTheErrorOverCommonRowsAlone) {
   const Trajectory fine = line(21, 0.05, 1e-4), coarse = line(6, 0.1, 3e-4);
   EXPECT_DOUBLE_EQ(measure("error.rotor_x", in_a_ring(), coarse, &fine), 2e-4 * 0.5);

@@ -1,4 +1,4 @@
-// The words for the points of a sweep and their time.
+// The texts for the points of a sweep and their time.
 #include "compare/commands/sweep_progress.h"
 
 #include <gtest/gtest.h>

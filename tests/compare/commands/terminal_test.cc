@@ -1,5 +1,4 @@
-// Output on a terminal: progress that fits its width, colours that only colour, help for misspelt
-// commands.
+// Output on a terminal: progress that fits its width, colours, and help for misspelt commands.
 #include <gtest/gtest.h>
 
 #include "compare/base/palette.h"

@@ -58,7 +58,7 @@ TEST(CompliantInMujoco, TheFiguresAreThoseOfTheLaw) {
   }
 }
 
-// Two catchers, of a rotor of segments: MuJoCo's bodies, and on the modal chain by `coulomb`.
+// Two catcher bearings of a rotor: as segments, and on the modal chain by `coulomb`.
 TEST(CompliantInMujoco, SeveralContacts) {
   for (const char* rotor : {"modal", "segments"}) {
     scene::Scene scene = test::shipped(

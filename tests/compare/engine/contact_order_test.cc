@@ -41,7 +41,7 @@ TEST(ContactOrder, DoesNotMatterForTwins) {
   EXPECT_EQ(moved, 3.0 * (std::nextafter(kNarrow, 1.0) - kNarrow));
 }
 
-// A start beside the other one by a tenth of the wide clearance would lie outside the narrow ring.
+// A start off the other one by a tenth of the wide clearance would lie outside the narrow ring.
 TEST(ContactOrder, DoesNotMatterForAnExponent) {
   const scene::Scene scene =
       in_two_rings({.mass = 2.0, .damping = 24.0, .stiffness = 2e5, .speed = 200.0}, 0.1, 0.5);
@@ -87,7 +87,7 @@ TEST(ContactOrder, DoesNotMatterForTheFigures) {
   }
 }
 
-// The thin ring loses the rotor at a depth of its radius, 5 mm, and not at that of the other one.
+// The thin ring loses the rotor at a depth of its radius, 5 mm, and not at that of the other ring.
 TEST(ContactOrder, DoesNotMatterForTheDepthOfASoftRing) {
   const scene::Scene scene = in_two_rings({.clearance = 0.5e-3, .radius = 5e-3}, 0.5e-3, 0.05);
   for (const scene::Scene& s : {scene, in_the_other_order(scene)}) {

@@ -11,7 +11,7 @@
 namespace rotorub {
 namespace {
 
-// It is driven into a ring on springs, bounces, and slides to the end; the motor gives way.
+// The rotor is driven into a ring on springs, bounces, and slides to the end; the motor is weak.
 scene::Scene rubbing_jeffcott() {
   scene::Scene s = test::make_scene({.mass = 2.0,
                                      .damping = 40.0,
@@ -84,7 +84,7 @@ TEST(Continued, TakesOverASpeedThatTheNextSceneHasOfItsOwn) {
   EXPECT_EQ(continued(faster, s, run).rotor.speed, 400.0);
 }
 
-TEST(Continued, SaysWhatItCannotTakeOver) {
+TEST(Continued, ReportsValuesThatItCannotContinue) {
   EXPECT_EQ(not_continued(rubbing_jeffcott()), "");
   scene::Scene s = rubbing_jeffcott();
   s.first().controller.emplace().kind = scene::ControllerKind::kSliding;

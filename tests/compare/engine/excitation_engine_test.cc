@@ -38,7 +38,7 @@ const std::string kChirp =
     "Hz',phase=0.4,on=1.2345e-3,off=0.0312345";
 const std::string kPulse = "kind='pulse',vector=[1500.0,800.0],on=1.2345e-3,off=6.5432e-3";
 const std::string kBlade = "kind='unbalance',static_moment=2e-3,phase=0.4,on=1.2345e-3";
-// The base moves, beside the scene's own force.
+// The base moves in addition to the scene's own force.
 const std::string kQuake =
     "base={time=[0.0,3.21e-3,9.87e-3,0.0211],acceleration_x=[0.0,180.0,-90.0,10.0],"
     "acceleration_y=[5.0,-70.0,95.0,-20.0],ramp=2e-3}";
@@ -127,7 +127,7 @@ TEST(SteadyStartEngine, HoldsInMujoco) {
   const scene::Scene scene = shipped("paper_passive", more);
   EXPECT_LT(unrest(scene, mujoco_run(scene, scene::ContactModel::kRigid, 1e-5)), 2e-3);
   EXPECT_LT(unrest(scene, mujoco_run(scene, scene::ContactModel::kCoulomb, 1e-5)), 1e-2);
-  // From rest the same is far from steady.
+  // From rest the same rotor is far from steady.
   const scene::Scene rest =
       shipped("paper_passive", {"drive=none", "rotor.torsion=none", "run.end=0.1",
                                 "run.output_step=1e-3", "force[0].on=1.0", "initial.steady=false"});

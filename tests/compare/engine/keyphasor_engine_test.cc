@@ -1,10 +1,8 @@
-// The passing of the mark on the shaft: an output of every engine, at the instant itself.
+// The passes of the mark on the shaft: every engine outputs them at their instants.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <memory>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include "compare/engine/engine.h"
@@ -26,7 +24,7 @@ std::vector<std::unique_ptr<Engine>> every_engine() {
   return all;
 }
 
-// A row of the same run, asked for at the instant of each pass, is the pass.
+// A row of the same run that is requested at the instant of each pass equals the pass.
 TEST(KeyphasorOfEveryEngine, IsARowAtItsInstant) {
   const std::vector<scene::Scene> scenes{
       test::shipped("bench_ring", {"run.end=0.05"}),  // held spin, contact
@@ -57,7 +55,7 @@ TEST(KeyphasorOfEveryEngine, IsARowAtItsInstant) {
   }
 }
 
-// A held spin of -50 Hz passes every 20 ms, against the axis as along it.
+// A held spin of -50 Hz passes every 20 ms, in either sense.
 TEST(KeyphasorOfEveryEngine, OfAHeldSpinIsOnTime) {
   const scene::Scene scene =
       test::shipped("bench_annular_rigid", {"rotor.speed=-50 Hz", "run.end=0.105"});
@@ -71,7 +69,7 @@ TEST(KeyphasorOfEveryEngine, OfAHeldSpinIsOnTime) {
   }
 }
 
-// A speed that is a slip of the pen is no reason to count for ever.
+// A mistyped speed must not make the count endless.
 TEST(KeyphasorOfEveryEngine, OfASpeedBeyondAllMeasureHasNone) {
   Keyphasor keyphasor;
   keyphasor.begin(0.0);

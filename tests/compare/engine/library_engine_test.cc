@@ -1,4 +1,4 @@
-// A whole run in MuJoCo under the user's own controller: the native one's, and how it ends.
+// A whole run in MuJoCo under a user's controller: it equals the native run, and ends like it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace rotorub::test {
 namespace {
 
-// The libraries that are opened here are the tests' own.
+// The tests open only their own libraries.
 [[maybe_unused]] const bool library_engine_trusts =
     (set_scene_libraries(SceneLibraries::kAllowed), true);
 
@@ -35,7 +35,7 @@ scene::Scene library_scene(const std::string& library, const std::vector<std::st
   return s;
 }
 
-// Delay and noise on, nothing rounded, no touch: one trajectory.
+// With delay and noise, without rounding and contact, both trajectories are the same.
 TEST(LibraryEngine, ClosedLoopIsTheNativeOneUpToTheFirstTouch) {
   const scene::Scene s = library_scene("recording_controller.so",
                                        {"controller.sensors={delay=2e-4, position_noise=1e-6}",

@@ -79,8 +79,8 @@ TEST(LargestLyapunov, OfACircularBilliardGoesToNothing) {
   }
 }
 
-// A start on the ring, which a force holds it to: one beside it, towards the ring, is none, and the
-// other way is taken.
+// The start is on the ring, on which a force holds the rotor. A perturbed start inside the ring is
+// invalid, so the other sense is taken.
 TEST(LargestLyapunov, BeginsOnTheRingToo) {
   for (const double side : {1.0, -1.0}) {
     scene::Scene s = test::make_scene({.mass = 2.0,

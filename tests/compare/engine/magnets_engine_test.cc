@@ -1,4 +1,4 @@
-// The magnetic actuator on both sides.
+// The magnetic actuator in both engines.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace rotorub::test {
 namespace {
 
-// Both sides with lag and rate limit: the difference is MuJoCo's step and goes with it.
+// With lag and limited rate in both engines the difference is MuJoCo's step and vanishes with it.
 TEST(MagnetsEngine, ConvergesToTheNativeRun) {
   const scene::Scene scene = shipped(
       "bench_ring", {"run.end=0.02", "actuator.kind=electromagnet", "actuator.force_constant=4e-4",
@@ -31,7 +31,7 @@ TEST(MagnetsEngine, ConvergesToTheNativeRun) {
   EXPECT_GT(largest_size(reference, "current_1"), 0.1) << "or the magnets did nothing";
 }
 
-// The sliding law on its way to the rotor, which the voltage holds back.
+// The sliding law moves the ring to the rotor, limited by the voltage.
 TEST(MagnetsEngine, TheVoltageLimitIsTheSameOnBothSides) {
   const scene::Scene scene =
       shipped("paper_magnetic", {"run.end=0.106", "rotor.modes=2", "actuator.coil_lag=1e-4",

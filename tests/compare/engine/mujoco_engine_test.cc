@@ -60,7 +60,7 @@ TEST(MujocoEngine, InterruptKeepsWhatThereIs) {
 }
 
 TEST(MujocoEngine, DivergenceIsAStatus) {
-  // A spin without bounds: past MuJoCo's own.
+  // The spin grows without bounds, beyond MuJoCo's own.
   const scene::Scene scene = parsed(R"(
 [run]
 end = 5.0
@@ -84,11 +84,12 @@ x = [1e-3]
   EXPECT_NE(t.message.find(" at t = "), std::string::npos) << t.message;
   EXPECT_GT(t.rows(), 10u);
   for (const double value : t.column("rotor_x")) EXPECT_TRUE(std::isfinite(value));
-  // The process goes on: the next run is as good as ever.
+  // The process continues, and the next run is unaffected.
   EXPECT_EQ(run_mujoco(shipped("bench_drop")).status, Status::kOk);
 }
 
-// A magnetic bearing stronger than the shaft: exponential growth, and no ring to stop it.
+// A magnetic bearing that is stronger than the shaft causes exponential growth, and no ring stops
+// it.
 TEST(MujocoEngine, ARotorThatNothingHoldsIsOutOfRange) {
   const Trajectory t = run_mujoco(parsed(R"(
 [run]
@@ -126,9 +127,9 @@ TEST(MujocoEngine, RefusesWhatIsNotOffered) {
   EXPECT_THROW(run_mujoco(scene), std::invalid_argument);
 }
 
-// The balance of soft contacts is taken at MuJoCo's staggered times. What it misses of a run that
-// never touches falls with the square of the step, and does not grow as the run goes on: far from
-// resonance the load does thousands of times the energy that the orbit holds.
+// The balance of soft contacts is taken at MuJoCo's staggered times. Its residual in a run without
+// contact falls with the square of the step, and does not grow during the run: far from resonance
+// the work of the load is thousands of times the energy of the orbit.
 TEST(MujocoEngine, TheBalanceOfAFreeRunFallsWithTheSquareOfTheStepAndDoesNotGrow) {
   constexpr double kRate = 2.0e4;  // 1/s^2, twice what is found
   const std::vector<std::string> free = {"contact.clearance=40mm", "drive=none",
@@ -162,7 +163,7 @@ TEST(MujocoEngine, TheBalanceOfRigidIsThatOfVerlet) {
   }
 }
 
-// A load and a command that jump within a step and open a lasting contact.
+// A load and a command jump within a step and open a lasting contact.
 TEST(MujocoEngine, RigidIsVerletWhereLoadsAndCommandsJumpInContact) {
   for (const char* jump :
        {"force[0].off=20.0075e-3",

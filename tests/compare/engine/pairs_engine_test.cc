@@ -37,12 +37,12 @@ bool has(const Pair& pair, const std::string& name) {
   return std::ranges::find(pair.parts, name, &Part::name) != pair.parts.end();
 }
 
-// Where MuJoCo was measured short of order 2; the bounds are set from what was measured.
+// Pairs for which MuJoCo has an order below 2; the bounds follow from measurements.
 double least_order(const Pair& pair) {
   // MuJoCo integrates the current by Euler's rule, and a command holds from one step to the next.
   if (has(pair, "coil_lag")) return 0.8;
   if (has(pair, "anisotropic_rotor") && has(pair, "switched_load")) return 1.4;
-  // Coarse steps meet other impacts, 0.15 mm away at 50 us: 1.60.
+  // Coarse steps have other impacts, 0.15 mm away at 50 us: order 1.60.
   if (has(pair, "opposed_magnets") && has(pair, "continuous_sliding")) return 1.5;
   return kRigidOrder;
 }

@@ -21,8 +21,8 @@ int counted(const Trajectory& t) {
                                         [](const Impact& impact) { return counts(impact); }));
 }
 
-// Inertias that are no more than a thousand times that of MuJoCo's links: the step is still the
-// native one, and the state that MuJoCo comes to the one it was sent to.
+// Inertias are up to a thousand times that of MuJoCo's links. The step is still the native one, and
+// MuJoCo reaches the state that the plugin requested.
 TEST(RigidEngine, KnowsTheStateOfAPartThatWeighsLittle) {
   for (const double inertia : {9.5e-8, 7e-8, 1e-9}) {
     const std::string size = std::to_string(inertia * 1e9) + "e-9";
@@ -38,7 +38,7 @@ TEST(RigidEngine, KnowsTheStateOfAPartThatWeighsLittle) {
   }
 }
 
-// Bounces, then an accumulation, then sliding: one row an impact.
+// Bounces, then an accumulation, then sliding; each impact has one row.
 TEST(RigidEngine, HasTheImpactsOfTheRingBench) {
   const Trajectory t = rigid(shipped("bench_ring"), 1e-5);
   ASSERT_GE(t.impacts.size(), 5U);

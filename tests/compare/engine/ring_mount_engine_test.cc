@@ -1,5 +1,5 @@
-// Rings on housings, balls, films and dry friction, in MuJoCo: the plugin adds what MuJoCo's joints
-// do not have, to the order of the step.
+// Rings on housings, balls, films and dry friction, in MuJoCo: the plugin adds the laws that
+// MuJoCo's joints lack, to the order of the step.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -23,7 +23,7 @@ const std::vector<std::string> kMounted{
     "run.end=0.08",
     "run.output_step=1e-3"};
 
-// MuJoCo's own step has the force of each instant.
+// MuJoCo's own step uses the force of each instant.
 TEST(RingMountInMujoco, CoulombConvergesToTheSame) {
   const scene::Scene s = shipped("bench_ring", kMounted);
   const Trajectory exact = run_event(s);

@@ -1,4 +1,4 @@
-// A ring off the line, in MuJoCo: a machine moved with its ring is the same machine, by every
+// A ring off the line, in MuJoCo: moving the machine with its ring changes nothing, with every
 // contact model.
 #include <gtest/gtest.h>
 

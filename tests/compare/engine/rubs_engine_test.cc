@@ -190,7 +190,7 @@ Trajectory whip(scene::ContactModel contact, double end) {
   return mujoco_run(scene, contact, 1e-5);
 }
 
-// After 1 s, at 10 us: -501.845 rad/s and 244.738 N instead of -501.9257 and 244.8444.
+// After 1 s at 10 us it has -501.845 rad/s and 244.738 N instead of -501.9257 and 244.8444.
 TEST(WhipEngine, RigidAndCoulombStayNearTheExactOne) {
   for (const scene::ContactModel contact :
        {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb}) {

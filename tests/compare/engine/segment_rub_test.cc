@@ -13,7 +13,7 @@
 namespace rotorub::test {
 namespace {
 
-// With little friction the rig's rub settles. The native side keeps as many modes as matter at its
+// With little friction the rig's rub settles. The native model keeps as many modes as matter at its
 // impacts.
 scene::Scene rub(int segments, const std::vector<std::string>& more = {}) {
   std::vector<std::string> overrides = {
@@ -33,7 +33,7 @@ TEST(SegmentRub, RefusesAStepBeyondItsStiffness) {
   EXPECT_NE(t.message.find("run.step"), std::string::npos) << t.message;
 }
 
-// The ring stands off the line: the segments meet it when the beam does, which is another time.
+// The ring is off the line: the segments and the beam meet it at different times.
 TEST(SegmentRub, MeetsARingOffTheLineWhereItIs) {
   const double centred = run_native(rub(20, {"run.end=0.11"})).impacts.at(0).t;
   for (const char* offset :

@@ -25,8 +25,8 @@ scene::Scene two_catchers(const std::vector<std::string>& overrides = {}) {
 
 class SeveralInMujoco : public testing::TestWithParam<scene::ContactModel> {};
 
-// The segments are another beam: 0.02 % of its frequency, and the impacts of the start are others.
-// What lasts agrees.
+// The segments are another beam: its frequency differs by 0.02 %, and so do the impacts of the
+// start. The lasting motion agrees.
 TEST_P(SeveralInMujoco, PressOnEachRingAsTheNativeModelDoes) {
   const Trajectory native = test::run_event(two_catchers());
   const Trajectory t = test::mujoco_run(two_catchers(), GetParam(), 1e-5);
@@ -44,7 +44,7 @@ TEST_P(SeveralInMujoco, PressOnEachRingAsTheNativeModelDoes) {
   EXPECT_NEAR(t.statistics.impulse_total,
               t.statistics.contacts[0].impulse_total + t.statistics.contacts[1].impulse_total,
               1e-12);
-  // At the end both ends rest and slide, and carry the weight between them.
+  // At the end both ends of the shaft rest on their rings and slide, and share the weight.
   for (const char* column : {"normal_force", "contact2_normal_force"}) {
     const double exact = native.column(column).back();
     EXPECT_NEAR(t.column(column).back(), exact, 0.02 * exact) << column;
@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(, SeveralInMujoco,
                          });
 
 // Scatter, peak and lasting contact are those of all contacts: an end that chatters does not end
-// the other one's rub.
+// the rub of the other.
 TEST(SeveralContactsInMujoco, FiguresAreThoseOfAllContacts) {
   for (const auto contact : {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb}) {
     scene::Scene scene = two_catchers();
@@ -98,7 +98,7 @@ TEST(SeveralContactsInMujoco, FiguresAreThoseOfAllContacts) {
   }
 }
 
-// The modal chain is the native model's rotor: the impacts of the start are the same ones.
+// The modal chain is the native model's rotor, so the impacts of the start are the same.
 TEST(SeveralContactsInMujoco, OnTheModalChainAreTheNativeModels) {
   const scene::Scene scene = two_catchers({"mujoco.rotor=modal"});
   const Trajectory native = test::run_event(scene);
@@ -120,7 +120,7 @@ TEST(SeveralContactsInMujoco, OnTheModalChainAreTheNativeModels) {
   }
 }
 
-// `rigid` is the native step there, whatever the number of contacts.
+// With `rigid` it is the native step, whatever the number of contacts.
 TEST(SeveralContactsInMujoco, OnTheModalChainRigidStepsAsVerletDoes) {
   const scene::Scene scene = two_catchers({"mujoco.rotor=modal", "run.end=0.03"});
   const Trajectory t = test::mujoco_run(scene, scene::ContactModel::kRigid, 4e-6);
@@ -130,7 +130,7 @@ TEST(SeveralContactsInMujoco, OnTheModalChainRigidStepsAsVerletDoes) {
   EXPECT_EQ(t.impacts.size(), native.impacts.size());
 }
 
-// Swapped in the list they are the same machine; the first one's plane is z = 0.
+// In the other order they are the same machine; the plane of the first one is z = 0.
 TEST(SeveralContactsInMujoco, HaveNoOrder) {
   scene::Scene scene = two_catchers();
   const Trajectory t = test::mujoco_run(scene);

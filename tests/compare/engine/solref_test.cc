@@ -1,4 +1,4 @@
-// Which solref a run of MuJoCo says that it had.
+// The solref that a run of MuJoCo reports.
 #include <gtest/gtest.h>
 
 #include "compare/engine/mujoco_engine.h"
@@ -34,7 +34,7 @@ TEST(Solref, IsThatOfTheRun) {
     EXPECT_EQ(told_by(*mujoco_engine(model), scene), solref_text(-soft.stiffness, -soft.damping));
   }
   EXPECT_EQ(told_by(*default_cone_engine(), scene), "0.02 1");
-  // The stiffness and damping of a compliant contact are its own.
+  // A compliant contact has its own stiffness and damping.
   EXPECT_EQ(told_by(*mujoco_engine(kCoulomb), shipped("compliant_ring", {"run.end=1e-3"})), "");
 }
 

@@ -1,4 +1,4 @@
-// A levitated rotor, and how it drops into its ring: MuJoCo against the native `event` and `verlet`
+// A levitated rotor drops into its ring: MuJoCo against the native `event` and `verlet`
 // integrators.
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kStep = 1e-5;
 
-// Rigid segments see the magnets at their own station.
+// Rigid segments meet the magnets at the magnets' station.
 TEST(TouchdownEngine, SegmentsFallAsTheModesDo) {
   const scene::Scene scene =
       shipped("touchdown", {"rotor.modes=6", "mujoco.rotor=segments", "mujoco.segments=12",
@@ -26,8 +26,8 @@ TEST(TouchdownEngine, SegmentsFallAsTheModesDo) {
   EXPECT_LT(rotor_error(segments, exact), 0.03 * scene.first().contact->clearance);
 }
 
-// Two magnetic bearings alone hold the rotor, sensed beside their magnets. From rest under its
-// weight, so that both integrators fill; the first bearing at its limit.
+// Only two magnetic bearings hold the rotor, with sensors beside their magnets. It starts from rest
+// under its weight, so that both integrators fill; the first bearing reaches its limit.
 scene::Scene levitated(const std::vector<std::string>& more = {}) {
   std::vector<std::string> overrides = {"run.end=0.03",
                                         "run.output_step=1e-3",

@@ -68,7 +68,7 @@ TEST(TurningRingEngine, TheRubSpinsItUpAsTheClosedFormSays) {
   expect(scene::ContactModel::kCoulomb, 8.0);
 }
 
-// The cone's contact has the ring's bore as its lever too: its mean friction spins the ring up.
+// The lever of the cone's contact is also the ring's bore: its mean friction spins the ring up.
 TEST(TurningRingEngine, TheConeSpinsItUpToo) {
   const Rub r = rub();
   const Trajectory t = mujoco_run(r.scene, scene::ContactModel::kCone, 1e-5);

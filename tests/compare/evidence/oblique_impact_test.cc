@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <functional>
 #include <numbers>
-#include <string>
 
 #include "tests/support/mujoco_fixture.h"
 #include "tests/support/mujoco_run.h"

@@ -1,4 +1,4 @@
-// Values that are known, found again from records of twins with noise.
+// Known values, found again from noisy records of twins.
 #include "compare/identify/identify.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace rotorub::identify {
 namespace {
 
-// Thrown at an elastic ring under a turning load: some impacts, then a rub.
+// A rotor thrown at an elastic ring under a rotating load: some impacts, then a rub.
 constexpr const char* kThrownAtTheRing = R"(
 [run]
 end = 0.06
@@ -47,7 +47,7 @@ vx = [0.25]
 vy = [0.05]
 )";
 
-// The scene as the engineer has it, whose values are not those of the machine.
+// The engineer's scene, whose values differ from those of the machine.
 ReadScene scene_with(const std::vector<std::string>& always = {}) {
   return [always](const std::vector<std::string>& further) {
     std::vector<std::string> all = always;
@@ -79,7 +79,7 @@ Parameters looking_for(std::vector<Wanted> wanted) {
 
 double pull(const Found& f, double truth) { return (f.value - truth) / f.error.value(); }
 
-// Friction, restitution, clearance and the ring's mount at once.
+// Friction, restitution, clearance and the ring's mount are fitted together.
 const std::vector<std::string> kMachine{"contact.friction=0.23", "contact.restitution=0.52",
                                         "contact.clearance=0.47e-3", "stator.stiffness=2.4e5"};
 const std::vector<double> kTruth{0.23, 0.52, 0.47e-3, 2.4e5};
@@ -126,8 +126,9 @@ TEST(IdentifyNightly, StatesTheErrorsThatNoiseMakes) {
   EXPECT_GE(inside, 69) << "of 80, of which 76 are expected";
 }
 
-// The residual before and after the fit is one measure: a machine that equals the scene has no
-// smaller residual before the fit than after it, whatever part of the record lies on the run.
+// The residual before and after the fit is the same measure: if the machine equals the scene, the
+// residual before the fit is not smaller than after it, whichever part of the record is aligned
+// with the run.
 TEST(Identify, LeavesNoMoreThanTheSceneAsItStood) {
   for (const double noise : {2e-6, 20e-6}) {
     const Result r = identify(scene_with({"run.end=0.04"}), record_with({}, sensors(4, noise)),
@@ -140,7 +141,7 @@ TEST(Identify, LeavesNoMoreThanTheSceneAsItStood) {
   }
 }
 
-// A record of the scene's own run: both residuals are round-off, whichever is smaller.
+// The record is the scene's own run, so both residuals are round-off, and either may be smaller.
 TEST(Identify, APerfectFitIsNotWorseThanTheScene) {
   Result r;
   r.left_before = 1e-16;
@@ -155,7 +156,7 @@ TEST(Identify, APerfectFitIsNotWorseThanTheScene) {
   EXPECT_TRUE(r.no_better());
 }
 
-// And where a fit is worse than its start, it says so: of a range that excludes the truth.
+// If a fit is worse than its start, the output says so; here the range excludes the true value.
 TEST(Identify, SaysWhenTheSceneAsItStoodIsBetter) {
   const Result r = identify(scene_with(), record_with({}, sensors(4)),
                             looking_for({{"contact.friction", "", 0.3, 0.4}}));
@@ -164,7 +165,7 @@ TEST(Identify, SaysWhenTheSceneAsItStoodIsBetter) {
             std::string::npos);
 }
 
-// A contact that gives: its stiffness from the depth of what it shows.
+// A compliant contact: its stiffness follows from the depth.
 TEST(Identify, FindsTheStiffnessOfAContact) {
   const std::vector<std::string> soft{"contact.compliance={stiffness=5e6,hunt_crossley=0.7}"};
   std::vector<std::string> machine = soft;
@@ -178,7 +179,7 @@ TEST(Identify, FindsTheStiffnessOfAContact) {
   EXPECT_LT(r.found[0].error.value(), 0.05 * 3.3e6);
 }
 
-// A value on which nothing depends has no error, and a value beyond its range is marked.
+// A value without effect has no error, and a value at the end of its range is marked.
 TEST(Identify, SaysWhatTheRecordDoesNotTell) {
   const MeasuredRecord record = record_with({"contact.friction=0.3"}, sensors(5));
   const Result r = identify(
@@ -199,7 +200,7 @@ TEST(Identify, IsTheSameEveryTime) {
   EXPECT_EQ(first.runs, second.runs);
 }
 
-// Columns stand one below the other however long a key is.
+// Columns are aligned however long a key is.
 TEST(Identify, ATableOfLongKeysIsATable) {
   Result r;
   Found f;

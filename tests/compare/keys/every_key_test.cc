@@ -21,7 +21,7 @@
 namespace rotorub::test {
 namespace {
 
-// Keys that by their nature change nothing that is compared here, and why.
+// Keys that by their nature change nothing that is compared here, with the reason.
 const std::map<std::string, std::string>& without_effect() {
   static const std::string library = "only a controller of one's own is shown it";
   static const std::string cover = "the sections cover the shaft: one alone cannot be changed";
@@ -77,7 +77,7 @@ std::vector<NamedEngine> all_engines() {
   return all;
 }
 
-// Nothing: refused. What is refused must say why.
+// Empty: the scene is refused. The refusal must have a reason.
 std::optional<Trajectory> run(const NamedEngine& e, const scene::Scene& scene) {
   try {
     Trajectory t = e.engine->run(scene, {});
@@ -89,7 +89,7 @@ std::optional<Trajectory> run(const NamedEngine& e, const scene::Scene& scene) {
   return {};
 }
 
-// By more than round-off, in any column.
+// True if any column differs by more than round-off.
 bool differ(const Trajectory& a, const Trajectory& b) {
   constexpr double kRoundOff = 1e-9;
   if (a.rows() != b.rows() || a.series.size() != b.series.size()) return true;
@@ -105,7 +105,7 @@ bool differ(const Trajectory& a, const Trajectory& b) {
   return false;
 }
 
-// A scene with its runs by every engine, each when it is first asked for.
+// A scene with its runs by every engine; each is computed when it is first needed.
 class Host {
  public:
   Host(const KeyScene& of, const std::vector<NamedEngine>& engines)
@@ -123,7 +123,7 @@ class Host {
   }
   const std::string& name() const { return name_; }
 
-  // Where a table stands in the scene, or can be begun by one key alone: "force[1]".
+  // The place of a table in the scene, or of a table that one key can begin: "force[1]".
   std::vector<std::string> places(const scene::Table& table) const {
     const std::string path(table.path);
     const scene::TomlNode* contact = tree_.find("contact");
@@ -175,7 +175,7 @@ class Host {
   scene::TomlNode tree_;
 };
 
-// The scene with another value of the key, where that is a scene.
+// The scene with another value of the key, if that is a scene.
 std::optional<scene::Scene> changed(const Host& host, const std::string& override_) {
   try {
     return host.scene({override_});
@@ -214,7 +214,7 @@ class EveryKey : public ::testing::TestWithParam<std::string> {
                   << " matters in no scene: give it a part in tests/support/pair_parts.h or a "
                      "scene in key_scenes.h, or the reason why it changes nothing";
   }
-  // False: no value of it matters in this scene.
+  // False: no value of the key matters in this scene.
   static bool asked_of(Host& host, const scene::Table& table, const scene::Key& key,
                        const std::string& path) {
     const bool of_mujoco = table.path == "mujoco";
@@ -230,7 +230,7 @@ class EveryKey : public ::testing::TestWithParam<std::string> {
     return false;
   }
 
-  // The engine runs both, and otherwise.
+  // True if the engine runs both, with different results.
   static bool matters(Host& host, const scene::Scene& other, std::size_t engine) {
     const auto& before = host.run_of(engine);
     if (!before) return false;
@@ -268,7 +268,7 @@ TEST_P(EveryKey, IsHonouredOrRefused) {
   }
 }
 
-// [[check]] is no part of what is simulated.
+// [[check]] does not belong to the simulation.
 std::vector<std::string> table_names() {
   std::vector<std::string> names;
   for (const scene::Table& table : scene::tables()) {

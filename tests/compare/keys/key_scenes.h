@@ -1,5 +1,5 @@
 // Scenes in which, together, every key of the schema matters: the bases of pair_parts.h, each of
-// its parts, and what no pair needs.
+// its parts, and scenes for keys that no pair needs.
 #pragma once
 
 #include <string>
@@ -32,7 +32,7 @@ inline std::vector<KeyScene> key_scenes() {
   modal("given damping", {"contact.compliance={stiffness=5e6,damping=900.0}"});
   modal("given Hunt and Crossley", {"contact.compliance={stiffness=5e6,hunt_crossley=0.7}"});
 
-  // Controllers, what they are shown, and what they command.
+  // Controllers, their measurements and their commands.
   const std::string sampled = "sample_time=2.5e-4";
   modal("pd", {"controller={kind='pd',on=0.5e-3,gap_time=4e-3,stiffness=5e4,damping=200.0,"
                "preload=15.0}"});
@@ -52,7 +52,7 @@ inline std::vector<KeyScene> key_scenes() {
          sampled + "}"});
   modal("lqr", {"controller={kind='lqr'," + sampled + "}"});
   modal("lqg", {"controller={kind='lqg'," + sampled + "}"});
-  // Key scene of a rotor in magnetic bearings whose feedbacks have a memory.
+  // A rotor in magnetic bearings whose feedbacks have a memory.
   modal("lqr, amplifier",
         {"controller={kind='lqr'," + sampled + "}",
          "magnetic_bearing={negative_stiffness=3e4,amplifier={bandwidth=8000.0},control={force_per_"
@@ -145,7 +145,7 @@ inline std::vector<KeyScene> key_scenes() {
        "load=30.0,load_angle=-1.2,theory='short'}}"});
   shaft("pedestal",
         {"rotor.bearing[0].pedestal={mass=3.0,stiffness=[2e7,3e7],damping=[400.0,300.0]}"});
-  // With a sleeve, without which no number of modes is enough.
+  // With a sleeve, because without one no number of modes is enough.
   shaft("modes by themselves", {"initial=none", "rotor.modes='auto'", "rotor.modes_tolerance=0.5",
                                 "rotor.disc[1]={z=0.28,mass=1.0,Jt=1e-4,Jp=2e-4}"});
   shaft("modes by number", {"initial=none"});

@@ -1,4 +1,4 @@
-// Other values of a key, found from its row of the schema alone.
+// Other values of a key, derived from its row of the schema alone.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 
 namespace rotorub::test {
 
-// A value of this unit that does something to the machines of pair_parts.h.
+// A value of this unit that affects the machines of pair_parts.h.
 inline double typical(std::string_view unit) {
   static const std::map<std::string_view, double> values{
       {"1", 0.3},          {"rad", 0.5},   {"s", 1e-3},      {"m", 1e-4},       {"kg", 0.5},
@@ -39,8 +39,8 @@ inline std::string list_text(const std::vector<double>& numbers, double factor) 
   return text + "]";
 }
 
-// As an override writes them; some will not fit the rest of a scene. given: what that says of the
-// key; null: nothing.
+// Values as an override writes them; some will not fit the rest of a scene. given: the value in the
+// scene; null if there is none.
 inline std::vector<std::string> other_values(const scene::Key& key, const scene::TomlNode* given) {
   using scene::ValueType;
   std::vector<std::string> values;
@@ -62,7 +62,7 @@ inline std::vector<std::string> other_values(const scene::Key& key, const scene:
         for (const scene::TomlNode& item : given->items) numbers.push_back(number_of(item));
         values = {list_text(numbers, 1.25), list_text(numbers, 0.8)};
       }
-      // As many as there are modes, planes or points: one fits.
+      // Lists with as many values as there are modes, planes or points; one of them fits.
       for (const double factor : {usual, 0.1 * usual}) {
         for (const std::vector<double>& numbers :
              std::vector<std::vector<double>>{{1.0}, {1.0, -0.6}, {1.0, 0.6}, {1.0, 0.6, 1.7}})

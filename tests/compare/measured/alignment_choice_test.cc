@@ -1,5 +1,5 @@
-// Which alignment is taken where the motion is near to a circle, or the run shorter than the
-// record: the one that the data tell, and none that they contradict.
+// The choice of the alignment if the motion is nearly a circle, or the run shorter than the record:
+// the one that the data determine, and none that they contradict.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ struct Seen {
   double gain = 1.0, noise = 0.0;
 };
 
-// A record of it, with samples 420 us apart.
+// A record of the run, with samples 420 us apart.
 MeasuredRecord sensed(const Place& place, const Seen& seen) {
   std::mt19937 bits(3);
   std::normal_distribution<double> normal(0.0, 1.0);
@@ -60,13 +60,14 @@ MeasuredRecord sensed(const Place& place, const Seen& seen) {
   return parse_measured(text, "seen.csv");
 }
 
-// The reason for which it is refused; empty: it is taken.
+// The reason of the refusal; empty if the record is accepted.
 std::string refusal(const Trajectory& run, const MeasuredRecord& record) {
   return message_of<MeasuredError>([&] { align(record, SampledRun(run), {}); });
 }
 
-// Any two circles correlate, however large: half the run laid on a late part of the record is no
-// match where the whole of it leaves nothing. With an angle of 0 the data tell it all the same.
+// Any two circles correlate, whatever their sizes: aligning half the run with a late part of the
+// record is wrong if the whole run does not fit there. With an angle of 0 the data still determine
+// the shift.
 TEST(AlignmentChoice, ARunShorterThanItsRecordIsFoundInAnyFrame) {
   const Trajectory run = run_of(lost_blade, 0.15);
   for (const double angle : {0.0, 20.0, 45.0, 90.0, -135.0}) {
@@ -93,7 +94,7 @@ TEST(AlignmentChoice, ACircleInNoiseStaysACircle) {
     EXPECT_EQ(a.angle_from, AngleFrom::kCircle) << angle;
     EXPECT_EQ(a.angle, 0.0) << angle;
   }
-  // An ellipse of the sensors' own making: what is left is no noise, and tells no angle either.
+  // An ellipse that the sensors cause: the residual is not noise, and determines no angle.
   const Place ellipse = [](double t) {
     return small_circle(t) + 0.05 * std::conj(small_circle(t));
   };
@@ -101,7 +102,8 @@ TEST(AlignmentChoice, ACircleInNoiseStaysACircle) {
   EXPECT_EQ(a.angle_from, AngleFrom::kCircle);
 }
 
-// As alike as can be, and seven times as large: a correlation alone would have taken it.
+// The motions have the same shape, but one is seven times as large; the correlation alone would
+// accept it.
 TEST(AlignmentChoice, RefusesAMotionOfAnotherSize) {
   const Place blow = [](double t) { return lost_blade(t + 0.083); };
   const Trajectory run = run_of(blow, 0.1);
@@ -115,14 +117,14 @@ TEST(AlignmentChoice, RefusesAMotionOfAnotherSize) {
   EXPECT_EQ(refusal(run, larger), "");
   const std::string text = alignment_text(align(larger, SampledRun(run), {}));
   EXPECT_NE(text.find("the record moves 1.8 times as far as the run"), std::string::npos) << text;
-  // As told, however bad.
+  // The given angle is used, however bad.
   EXPECT_NO_THROW(align(sensed(blow, {.end = 0.1, .gain = 7.0}), SampledRun(run),
                         {.shift = -1151.5e-3, .angle = {}}));
 }
 
-// A part of the record of another size may lie on the run as well as the whole that is like it:
-// it is said that there is another.
-TEST(AlignmentChoice, SaysWhereTheShapeIsAnother) {
+// Another part of the record fits as well as the part that equals the run; the output says that
+// there is another.
+TEST(AlignmentChoice, ReportsPartsOfAnotherShape) {
   const Trajectory run = run_of(lost_blade, 0.15);
   const Alignment a = align(sensed(lost_blade, {.gain = 5.0}), SampledRun(run), {});
   ASSERT_TRUE(a.other_size);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// The passive rig from rest into its rub, 0.15 s: bounces, no two turns alike.
+// The passive rig from rest into its rub, 0.15 s: it bounces, and no two turns are alike.
 const scene::Scene& rig() {
   static const scene::Scene scene = shipped("paper_passive", {"run.end=0.15", "run.step=1e-5"});
   return scene;
@@ -31,7 +31,7 @@ std::vector<double> every(double apart, double end) {
   return t;
 }
 
-// The run that is aligned with: rows every 10 us.
+// The run that is aligned, with rows every 10 us.
 const Trajectory& native() {
   static const Trajectory run = run_at(rig(), every(1e-5, 0.15));
   return run;
@@ -80,7 +80,7 @@ TEST(Alignment, FindsTheClockAndTheFrame) {
 
 // The error that it states is the error that it makes: over seeds, squares of error / stated follow
 // chi^2 with as many freedoms; 99.9 % of it lies between the bounds.
-TEST(AlignmentLong, StatesTheErrorThatNoiseMakes) {
+TEST(AlignmentLong, EstimatesTheErrorOfNoise) {
   constexpr int kSeeds = 40;
   constexpr double kLow = 17.9 / kSeeds,
                    kHigh = 73.4 / kSeeds;  // 0.1 % and 99.9 % of chi^2 with 40
@@ -105,7 +105,7 @@ TEST(AlignmentLong, StatesTheErrorThatNoiseMakes) {
 
 // A model that is wrong leaves what is not noise, and is laid in wrongly by more than noise would:
 // stated is what stretches of the record scatter by.
-TEST(Alignment, StatesTheErrorThatAWrongModelMakes) {
+TEST(Alignment, EstimatesTheErrorOfAWrongModel) {
   double most = 0.0;
   for (const char* wrong : {"contact.friction=0.33", "contact.friction=0.27",
                             "contact.restitution=0.4", "stator.stiffness=1.2e5"}) {
@@ -127,7 +127,7 @@ TEST(Alignment, StatesTheErrorThatAWrongModelMakes) {
   EXPECT_GT(most, 0.1) << "something is off";
 }
 
-// Clipped samples are left out and do not pull the fit, which would be off by more with them.
+// Clipped samples are left out; with them the error of the fit would be larger.
 TEST(Alignment, ClippedSamplesDoNotPull) {
   Sensors sensors;
   sensors.shift = -2.2e-3;
@@ -144,7 +144,7 @@ TEST(Alignment, ClippedSamplesDoNotPull) {
   EXPECT_GT(std::abs(naive.angle - sensors.angle), 1e-3);
 }
 
-TEST(Alignment, TakesWhatItIsTold) {
+TEST(Alignment, UsesTheGivenShiftAndAngle) {
   Sensors sensors;
   sensors.shift = 2e-3;
   sensors.angle = 0.3;
@@ -160,7 +160,7 @@ TEST(Alignment, TakesWhatItIsTold) {
 }
 
 // One signal of any kind is enough.
-TEST(Alignment, FindsTheClockByWhatThereIs) {
+TEST(Alignment, FindsTheClockFromAnyColumn) {
   Sensors sensors;
   sensors.shift = 1.5e-3;
   const MeasuredRecord whole = record_of(seen(sensors), sensors);
@@ -175,7 +175,7 @@ TEST(Alignment, FindsTheClockByWhatThereIs) {
   }
 }
 
-// y alone of sensors that stand at an angle which is known.
+// Only y, from sensors at a known angle.
 TEST(Alignment, TurnsASingleColumnByTheAngleGiven) {
   Sensors sensors;
   sensors.shift = 1.5e-3;
@@ -192,9 +192,9 @@ Trajectory circle() {
   return moving(20001, 1e-5, [](double t) { return std::polar(1e-4, kWhirl * t); });
 }
 
-// On a circle a turn of the frame is a shift: the frame is taken as the scene's, and the turns look
-// alike.
-TEST(Alignment, SaysWhatACircleDoesNotTell) {
+// On a circle a turn of the frame equals a shift: the frame is taken as the scene's, and all turns
+// of the run look alike.
+TEST(Alignment, ReportsThatACircleLeavesTheAngleOpen) {
   const Trajectory run = circle();
   std::string text = "t [s],rotor_x [m],rotor_y [m]\n";
   for (int k = 0; k < 1200; ++k) {
@@ -246,7 +246,7 @@ TEST(Alignment, TellsShiftAndTurnApartNearACircle) {
   }
 }
 
-TEST(Alignment, HasAShiftToFindOnlyWhereSomethingMoves) {
+TEST(Alignment, RefusesAMotionAtRest) {
   std::string text = "t [s],rotor_x [m],rotor_y [m]\n";
   for (int k = 0; k < 100; ++k) text += fmt::format("{},0,0\n", k * 1e-3);
   EXPECT_THROW(align(parse_measured(text, "still.csv"), SampledRun(circle()), {}), MeasuredError);

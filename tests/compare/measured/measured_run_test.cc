@@ -32,8 +32,8 @@ const ColumnFit& column_of(const MeasuredRun& run, const std::string& name) {
   throw std::out_of_range(name);
 }
 
-// The run's own series.csv as the measurement: the file's numbers read back to the same bits, so
-// that what is left is round-off of the fit.
+// The run's own series.csv is the measurement. The file's numbers read back to the same bits, so
+// the residual is the round-off of the fit.
 TEST(MeasuredRun, ARunsOwnSeriesLeavesNothing) {
   const scene::Scene scene = short_rig();
   const Trajectory run = run_event(scene);
@@ -56,7 +56,7 @@ TEST(MeasuredRun, ARunsOwnSeriesLeavesNothing) {
   }
 }
 
-// A circle's figures are known, with the record in a turned frame.
+// The figures of a circle are known; the record is in a turned frame.
 TEST(MeasuredRun, FiguresAreThoseOfTheMotion) {
   constexpr double kRadius = 200e-6, kRate = 10e3, kHertz = 47.3;
   const double w = -2.0 * std::numbers::pi * kHertz;  // backward
@@ -97,7 +97,7 @@ TEST(MeasuredRun, FiguresAreThoseOfTheMotion) {
   EXPECT_GT(x.clipped, 200u);
   EXPECT_LT(x.runs.front().rms, 1e-9) << "the clipped ones are left out";
   EXPECT_NE(m.remarks.size(), 0u);
-  // The run's gap rises by 1 um a second, for 0.15 s: an even distribution.
+  // The run's gap rises by 1 um a second for 0.15 s, which gives an even distribution.
   const ColumnResidual& gap = column_of(m, "gap").runs.front();
   EXPECT_NEAR(gap.share.value() * 0.15e-6 / std::sqrt(12.0), gap.rms, 2e-3 * gap.rms);
   EXPECT_NEAR(gap.offset, -298e-6 / 1500.0 - 1e-6 * (0.02 + 0.075), 1e-9);
@@ -119,8 +119,7 @@ TEST(MeasuredRun, AnAxisAloneHasItsRms) {
   EXPECT_NEAR(figure_of(m, "rotor_x_rms").runs.front(), 100e-6 / std::sqrt(2.0), 1e-9);
 }
 
-// A force beyond the sensor's limit: what is summed up or largest is a bound, and the run's is not
-// cut.
+// A force exceeds the sensor's limit: sums and maxima are bounds, and the run is not clipped.
 TEST(MeasuredRun, AClippedForceIsABound) {
   const auto force = [](double t) { return std::max(0.0, 50.0 * std::sin(400.0 * t) * (1.0 + t)); };
   const Trajectory run = hand_made(10001, 1e-5, [&](double t) {
@@ -145,7 +144,8 @@ TEST(MeasuredRun, AClippedForceIsABound) {
   EXPECT_EQ(measured_value(figure_of(m, "peak_force")), "≥ 40");
 }
 
-// The force of a sample is the momentum given in its time: of a run with impacts, all of it.
+// The force of a sample is the momentum transferred in its interval, divided by the interval, with
+// all impacts of the run.
 TEST(MeasuredRun, AForceIsAveragedOverItsSample) {
   Trajectory run = hand_made(10001, 1e-5, [](double) {
     Row row;
@@ -170,8 +170,8 @@ TEST(MeasuredRun, AForceIsAveragedOverItsSample) {
   EXPECT_NEAR(figure_of(m, "mean_force").measured, figure_of(m, "mean_force").runs.front(), 1e-6);
 }
 
-// Over a whole run the samples' forces add up to what the run says it gave, but for the trapezium
-// over rows.
+// Over a whole run the forces of the samples add up to the run's own impulse, up to the trapezoidal
+// rule over rows.
 TEST(MeasuredRun, NoMomentumIsLostBetweenSamples) {
   const scene::Scene scene = short_rig();
   std::vector<double> rows, t;
@@ -185,8 +185,7 @@ TEST(MeasuredRun, NoMomentumIsLostBetweenSamples) {
   EXPECT_NEAR(sum, run.statistics.impulse_total, 2e-3 * run.statistics.impulse_total);
 }
 
-// Like with like: noise and another clock change what is measured, not what the runs show at its
-// samples.
+// Noise and another clock change the measured figures, not those of the runs at the samples.
 TEST(MeasuredRun, HoldsEveryRunAtTheSameSamples) {
   const scene::Scene scene = short_rig();
   const Sensors sensors{.to = 0.095, .shift = 2.5e-3, .angle = 0.4, .noise = 4e-6};
@@ -203,7 +202,7 @@ TEST(MeasuredRun, HoldsEveryRunAtTheSameSamples) {
     EXPECT_NEAR(c.runs[0].rms / sensors.noise, 1.0, room) << c.what->name;
     EXPECT_EQ(c.runs[0].rms, c.runs[1].rms) << c.what->name;
   }
-  // In the scene's frame, by its clock.
+  // In the scene's frame and clock.
   const MeasuredColumn* x = m.laid.find("rotor_x");
   ASSERT_TRUE(x);
   EXPECT_NEAR(m.laid.t.front(), sensors.from, 0.2 / sensors.rate);
@@ -232,7 +231,7 @@ TEST(MeasuredRun, SaysWhatItLeavesOut) {
                MeasuredError);
 }
 
-// A frequency beyond the sample rate is none: it is left out, with the reason.
+// A frequency beyond the sample rate is left out, with the reason.
 TEST(MeasuredRun, AFrequencyNeedsASampleRate) {
   const double w = 2.0 * std::numbers::pi * 300.0;
   const Trajectory run = moving(20001, 1e-5, [&](double t) { return std::polar(1e-4, w * t); });

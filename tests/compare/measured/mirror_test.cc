@@ -1,4 +1,4 @@
-// Sensors whose axes are mirrored, or exchanged: what is said, and that it is right.
+// Sensors whose axes are mirrored or exchanged: the message, and that it is right.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace rotorub::test {
 namespace {
 
-// From rest into a rub: no turn is like another.
+// From rest into a rub; no two turns are alike.
 const Trajectory& passive_run() {
   static const Trajectory run = run_at(shipped("paper_passive", {"run.end=0.12", "run.step=1e-5"}),
                                        instants({.from = 0.0, .to = 0.12, .rate = 50e3}));
@@ -89,7 +89,7 @@ TEST(Mirror, ExchangedAxesAreNamedWithTheirRemedy) {
   expect_remedy(record, reason);
 }
 
-// With an angle that is given as without, and from directions of probes that are given wrongly.
+// With and without a given angle, and from wrong directions of the probes.
 TEST(Mirror, IsFoundBesideWhatIsGiven) {
   MeasuredRecord record = right_record(0.0);
   mirror(record);
@@ -103,7 +103,7 @@ TEST(Mirror, IsFoundBesideWhatIsGiven) {
   expect_remedy(probes, reason);
 }
 
-// Right sensors are not suspected, nor is a motion that no mirror explains.
+// Correct sensors cause no suspicion, nor does a motion that no mirror explains.
 TEST(Mirror, IsNotSuspectedWhereItExplainsNothing) {
   const Alignment a = align(right_record(0.2), SampledRun(passive_run()), {});
   EXPECT_FALSE(a.mirrored);
@@ -116,7 +116,8 @@ TEST(Mirror, IsNotSuspectedWhereItExplainsNothing) {
   EXPECT_EQ(reason.find("mirrored"), std::string::npos) << reason;
 }
 
-// The gap, which no mirror turns round, may carry it: then it is accepted, and said.
+// A mirror does not change the gap, which may determine the alignment; then the record is accepted
+// with a message.
 TEST(Mirror, IsSaidOfWhatIsAccepted) {
   MeasuredRecord record = right_record(0.0);
   mirror(record);

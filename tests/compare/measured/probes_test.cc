@@ -73,7 +73,7 @@ TEST(ColumnNames, OfNoColumnAreRefused) {
       << "which was used";
 }
 
-// API 670: at 45 degrees to either side of the vertical; and any two others, mirrored too.
+// API 670: 45 degrees to either side of the vertical; and any two other directions, also mirrored.
 TEST(Probes, GiveThePlaceAlongXAndY) {
   for (const auto& [first, second] : {std::pair{45.0, 135.0}, std::pair{135.0, 45.0},
                                       std::pair{-30.0, 50.0}, std::pair{200.0, 80.0}}) {
@@ -88,7 +88,7 @@ TEST(Probes, GiveThePlaceAlongXAndY) {
   }
 }
 
-// Where one probe has no sample, the position is unknown along both axes.
+// Without a sample of one probe the position is unknown along both axes.
 TEST(Probes, AHoleOfOneIsAHoleOfBoth) {
   MeasuredRecord record =
       parse_measured(logged(45.0 * kDegree, 135.0 * kDegree), "log.csv", kNames);

@@ -33,7 +33,7 @@ MeasuredRecord record_of(const char* name, std::size_t count,
   return record;
 }
 
-// The number of instants at which this is true.
+// The number of instants for which this is true.
 std::size_t count(std::size_t instants, const std::function<bool(double)>& is) {
   std::size_t sum = 0;
   for (std::size_t k = 0; k < instants; ++k) sum += is(static_cast<double>(k) / 20e3) ? 1 : 0;
@@ -64,7 +64,7 @@ TEST(Clipping, MarksTheSamplesAtTheLimitAndNoOther) {
   }
 }
 
-// A peak of a converter's whole numbers is flat, and no limit.
+// A peak of a converter's whole numbers is flat, but not clipped.
 TEST(Clipping, LeavesPeaksOfRoundedValues) {
   for (const double bits : {8.0, 12.0, 16.0}) {
     const double quantum = kSize / std::pow(2.0, bits - 1.0);
@@ -104,7 +104,7 @@ TEST(Clipping, LeavesWhatIsFlatForOtherReasons) {
       << "an amplifier's limit is the machine's";
 }
 
-// A whirl that grows into the limit: its last peak alone, to where the record ends.
+// A whirl that grows into the limit: only its last peak is clipped, up to the end of the record.
 TEST(Clipping, FindsALimitThatTheRecordEndsAt) {
   constexpr std::size_t kToThePeak = 2736;
   constexpr double kLimit = 0.85 * kSize;
@@ -116,7 +116,7 @@ TEST(Clipping, FindsALimitThatTheRecordEndsAt) {
             beyond);
 }
 
-// Straight from no force to the limit: nothing beside it bends towards it.
+// The force jumps from 0 to the limit: no sample beside it bends towards it.
 TEST(Clipping, FindsTheLimitOfPulses) {
   const auto pulses = [](double t) {
     return std::fmod(t, 0.01) < 0.0005  ? 500.0
@@ -178,7 +178,7 @@ TEST(MeasuredReader, PassesOverWhatAnInstrumentWritesBeforeTheHeader) {
       parse_measured(before + with_lines("Time [ms],gap [um]", "0,2"), "a.csv");
   EXPECT_DOUBLE_EQ(r.t[3], 3e-3);
   EXPECT_DOUBLE_EQ(r.find("gap")->value[0], 2e-6);
-  // Lines are counted from the file's first.
+  // Lines are counted from the first of the file.
   const auto refused = test::refusals(
       [&] { parse_measured(before + with_lines("Time [ms],gap [um]", "0,x"), "a.csv"); });
   ASSERT_FALSE(refused.empty());
@@ -193,7 +193,7 @@ TEST(MeasuredReader, TakesTheTimesThatItIsTold) {
   EXPECT_EQ(r.left_out, std::vector<std::string>{"Time [s]"});
 }
 
-// Its columns have no units; what is not compared is named, what is none of its is refused.
+// Its columns have no units; columns that are not compared are named, foreign ones are refused.
 TEST(MeasuredReader, TakesTheProductsOwnSeriesInSi) {
   std::string text = "t,rotor_x,stator_y,gap_rate,mode,x_1,torsion_speed_2\n";
   for (int k = 0; k < 20; ++k) text += std::to_string(k) + ",0.5,0.25,1,slide,2,3\n";

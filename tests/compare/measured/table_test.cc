@@ -8,7 +8,7 @@
 namespace rotorub::test {
 namespace {
 
-// All that a comparison runs beside a record, in 80 columns that do not run together.
+// All runs that a comparison has beside a record, in 80 columns that stay apart.
 TEST(MeasuredTable, KeepsItsColumnsApart) {
   const scene::Scene scene = short_rig();
   const Trajectory run = run_event(scene);
@@ -23,7 +23,7 @@ TEST(MeasuredTable, KeepsItsColumnsApart) {
       << text;
 }
 
-// A sensor's zero is not known: what is left is free of it, and it has a column of its own.
+// The zero of a sensor is unknown: the residual does not contain it, and it has its own column.
 TEST(MeasuredTable, AnOffsetIsNoResidual) {
   const scene::Scene scene = short_rig();
   const Sensors sensors{.to = 0.09};

@@ -15,7 +15,7 @@ using test::hand_made;
 
 constexpr ModeBand kBand{.forward = 500.0, .backward = 400.0};
 
-// Contact for ever; slow until `switch_time`, then at `fast` rad/s.
+// Lasting contact; slow until `switch_time`, then at `fast` rad/s.
 Trajectory rub(double switch_time, double fast) {
   return hand_made(1001, 1e-3, [=](double t) {
     return test::sliding({.frequency = t < switch_time ? 300.0 : fast}, t);
@@ -67,18 +67,19 @@ TEST(AboveModes, ImpactsBringTheirFrictionWork) {
   EXPECT_EQ(above.contact_share, 0.0);
 }
 
-TEST(AboveModes, OfNothingIsNothing) {
+TEST(AboveModes, IsEmptyWithoutContact) {
   const AboveModes none = above_modes(hand_made(3, 0.1, [](double) { return test::Row{}; }), kBand);
   EXPECT_EQ(none.contact_share, 0.0);
   EXPECT_EQ(none.friction_share, 0.0);
   EXPECT_EQ(none.fastest, 0.0);
 }
 
-TEST(AboveModes, IsAskedOfShaftsAlone) {
+TEST(AboveModes, IsEmptyForModalData) {
   EXPECT_FALSE(mode_band(test::shipped("bench_whip")).has_value());
 }
 
-// A shaft of nearly no mass: what cannot be solved is refused at its place in the scene.
+// A shaft of nearly no mass: eigenvalues that cannot be computed are refused at the shaft's place
+// in the scene.
 TEST(AboveModes, RefusesAShaftThatCannotBeSolved) {
   const auto refused =
       test::refusals([] { mode_band(test::shipped("paper_sliding", {"rotor.rho=1e-9"})); });

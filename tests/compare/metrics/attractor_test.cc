@@ -41,8 +41,8 @@ TEST(Attractor, IsNamedByTheWhirlOfAPermanentContact) {
   }
 }
 
-// Wherever the run is stopped, what rocks about its lowest place rests there: its mean whirl is
-// that of the swing it is in.
+// A rotor that rocks about its lowest place is at rest there, whenever the run ends: its mean whirl
+// depends on the swing.
 TEST(Attractor, RestsWhereItRocks) {
   for (const double end : {0.83, 0.91, 1.0, 1.04}) {
     const Whirl w;
@@ -82,15 +82,15 @@ TEST(Attractor, ImpactsAloneAreBouncesToo) {
   impact.gap_rate_before = -0.1;
   t.impacts.push_back(impact);
   EXPECT_EQ(settled(t).attractor, Attractor::kBouncing);
-  // One that happened before the last fifth does not count, nor does a touch.
+  // An impact or a touch before the last fifth does not count.
   t.impacts[0].t = 0.5;
   EXPECT_EQ(settled(t).attractor, Attractor::kNoContact);
   t.impacts[0] = {0.9, 0.0, 0.0, -1e-6, 0.0, 0.0, 0.0, 0.0};
   EXPECT_EQ(settled(t).attractor, Attractor::kNoContact);
 }
 
-// A rub that was is none that is; but a bouncer that is only in the air is.
-TEST(Attractor, WhatHasEndedIsNoContact) {
+// A rub that has ended does not count; a bouncing rotor that is in flight at the end does.
+TEST(Attractor, IgnoresContactThatHasEnded) {
   const Whirl w;
   const auto until = [&](double last) {
     return settled(hand_made(1000, 1e-3, [&](double t) {
@@ -130,7 +130,7 @@ TEST(Attractor, RollingIsBackward) {
 
 // An orbit that is longer than it is wide, in rows of many turns each: its rate at two rows does
 // not tell how often it went round between them.
-TEST(Attractor, RowsTooFarApartTellNoWhirl) {
+TEST(Attractor, HasNoWhirlIfRowsAreTooFarApart) {
   const auto of = [](double spacing) {
     return settled(hand_made(1000, spacing, [](double t) {
       constexpr double kRate = 1204.0;
@@ -148,8 +148,8 @@ TEST(Attractor, RowsTooFarApartTellNoWhirl) {
   EXPECT_NEAR(coarse.spin_speed, 1204.0, 1e-6);
 }
 
-// Too few rows: nothing is known, which is not 0; the spin is, by its angle.
-TEST(Attractor, FewRowsTellNothing) {
+// Too few rows: the whirl is unknown, which is not 0; the angle gives the spin.
+TEST(Attractor, IsUnknownWithFewRows) {
   const Settled s = settled(hand_made(50, 1e-3, [](double t) { return sliding({}, t); }));
   EXPECT_EQ(s.attractor, Attractor::kUnknown);
   EXPECT_TRUE(std::isnan(s.whirl_frequency));

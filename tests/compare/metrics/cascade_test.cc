@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
 #include <numbers>
 
@@ -46,7 +45,7 @@ TEST(Cascade, HasUprightRidgesWhereNaturalFrequenciesRing) {
   }
 }
 
-// 200 rows a second: of a spin of 33 Hz and more a turn has fewer than six.
+// 200 rows a second: at a spin of 33 Hz and more a turn has fewer than six rows.
 TEST(Cascade, IsOpenWhereRowsAreTooFew) {
   const Cascade c = cascade(ringing(800), 30, 101, 300.0);
   ASSERT_FALSE(c.t.empty());

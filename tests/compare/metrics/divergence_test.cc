@@ -31,7 +31,7 @@ TEST(Divergence, FindsTheFirstRowBeyondTheThreshold) {
   EXPECT_NEAR(d.rms_distance, 0.5 / 100.0 * std::sqrt(100.0 * 101.0 * 201.0 / 6.0 / 101.0), 1e-12);
 }
 
-// Apart along y as much as along x.
+// The distance along y counts as along x.
 TEST(Divergence, IsADistanceInThePlane) {
   const auto at = [](double x, double y) {
     return hand_made(2, 0.1, [=](double) {
@@ -50,14 +50,14 @@ TEST(Divergence, EqualRunsNeverPart) {
   EXPECT_EQ(d.rms_distance, 0.0);
 }
 
-// Only rows at the same time are compared: one run is twice as dense, and goes on for longer.
+// Only rows at the same time are compared: one run is twice as dense and longer.
 TEST(Divergence, ComparesEqualTimesAlone) {
   const Divergence d = divergence(moving(1.0, 11, 0.5), moving(1.0, 41, 0.25), 1e-12);
   EXPECT_EQ(d.rows, 11U);
   EXPECT_FALSE(d.time);
 }
 
-// At one contact they part by 0.5 m/s, at the other by 0.1 m/s.
+// At one contact the runs part by 0.5 m/s, at the other by 0.1 m/s.
 TEST(Divergence, IsTheLargestAtAnyContactInAnyOrder) {
   const Trajectory fast_a = moving(1.0), fast_b = moving(1.5), slow_a = moving(2.0),
                    slow_b = moving(2.1);
@@ -85,7 +85,7 @@ TEST(Impacts, ArePairedByOrder) {
   Trajectory a, b;
   for (const double t : {0.1, 0.2, 0.3}) a.impacts.push_back(closing_at(t));
   for (const double t : {0.11, 0.22}) b.impacts.push_back(closing_at(t));
-  // A touch that does not count is no partner.
+  // A touch that does not count is not compared.
   a.impacts.insert(a.impacts.begin() + 1, Impact{});
 
   const auto pairs = pair_impacts(a, b, 5);

@@ -31,7 +31,7 @@ Trajectory half_touched() {
   s.max_penetration = 2e-6;
   s.penetration_square = 0.5 * 1e-12;
   s.gap_rate_square = 0.5 * 4e-6;
-  // 3 J gained, 4 J given by the loads, 2 J taken by the contact; at most 4 J.
+  // 3 J gained; the loads do work of 4 J, the contact takes 2 J; the largest energy is 4 J.
   s.energy_start = 1.0, s.energy_end = 4.0, s.energy_scale = 4.0;
   s.external_work = 4.0, s.contact_work = -2.0;
   t.steps = 1000;

@@ -101,7 +101,7 @@ TEST(Waterfall, HasNoPeakAtZeroWithoutWholeTurns) {
     EXPECT_NEAR(w.amplitude[200 * k + 100], 0.0, 1e-12) << w.time[k];
 }
 
-// A fall is a parabola, and so it is between rows that stand 2.5 ms apart.
+// A fall is a parabola, also between rows 2.5 ms apart.
 TEST(EvenOrbit, IsCubicBetweenRows) {
   const Trajectory run =
       test::run_event(test::shipped("bench_drop", {"run.end=0.01", "run.output_step=2.5e-3"}));
@@ -137,7 +137,7 @@ TEST(Poincare, OfASynchronousMotionIsAPoint) {
   }
 }
 
-// Rows are for drawing: of three a turn a circle stays one.
+// Rows are for drawing: a circle with three rows a turn stays a circle.
 TEST(Poincare, OfFewRowsATurnStaysOnTheCircle) {
   const auto points = poincare_points(circling(10.0, 0.9, 31), 0.0);
   EXPECT_EQ(points.size(), 10U);

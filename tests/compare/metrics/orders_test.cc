@@ -43,7 +43,7 @@ TEST(OrderTrack, HasTheVectorsOfARunUp) {
   EXPECT_EQ(order_track(run_up(20.0, 80.0, 4001), 10).t.size(), 10u);
 }
 
-// Against the mark of a rotor that turns the other way: its picture in a mirror.
+// With the mark of a rotor that turns the other way the motion is mirrored.
 TEST(OrderTrack, FollowsASpinOfEitherSense) {
   Trajectory mirrored = run_up(20.0, 80.0, 4001);
   for (Column& c : mirrored.series) {
@@ -59,7 +59,7 @@ TEST(OrderTrack, FollowsASpinOfEitherSense) {
   }
 }
 
-// Dense rows and asked for ones that are the same but for round-off, and jumps.
+// Dense and requested rows that are equal but for round-off, and jumps.
 TEST(OrderTrack, TakesRowsThatAreOneInstant) {
   const Trajectory run = run_up(20.0, 80.0, 4001);
   Trajectory twice = run;

@@ -24,7 +24,7 @@ const double kSine =
     std::numbers::pi * kPress * (1.0 - kRestitution) / (kSwing * (1.0 + kRestitution));
 const double kSpeed = kPress * kTurn / (kMass * (1.0 + kRestitution));
 
-// From a hundredth beside the place where such a bounce is at t = 0.
+// The start is a hundredth off the place of such a bounce at t = 0.
 scene::Scene pressed(double turns) {
   scene::Scene s = test::make_scene(
       {.mass = kMass, .clearance = kClearance, .restitution = kRestitution, .speed = kOmega});
@@ -54,7 +54,7 @@ TEST(PeriodicBounce, OfOneImpactATurnIsTold) {
   EXPECT_EQ(described(s), "bouncing once every turn");
 }
 
-// Too early it has not come back to itself: its name alone.
+// Too early the motion has not yet returned: the answer is only its name.
 TEST(PeriodicBounce, ThatHasNotSettledIsBouncing) {
   const Settled s = settled(test::run_event(pressed(8.0)));
   EXPECT_EQ(s.turns, 0);

@@ -46,7 +46,7 @@ TEST(RelativeMotion, RowsBetweenTakesBothEnds) {
   EXPECT_EQ(rows_between(points, 7.0, 9.0).size(), 0U);
 }
 
-// A time's last bits depend on how it was counted, and what a run is judged by must not.
+// The last bits of a time depend on how it was computed, and must not affect the result.
 TEST(RelativeMotion, RowsBetweenTakesARowAtItsBeginningHoweverRounded) {
   auto points = relative_motion(hand_made(11, 0.5, [](double) { return test::Row{}; }));
   for (const double t : {std::nextafter(1.0, 0.0), 1.0, std::nextafter(1.0, 2.0)}) {
@@ -67,7 +67,7 @@ TEST(WhirlFrequency, IsSigned) {
   }
 }
 
-// Rows a turn and more apart: without the rates a fast backward whip would read as anything.
+// Rows are a turn and more apart: without the rates a fast backward whip would have any frequency.
 TEST(WhirlFrequency, CountsTurnsBetweenFarRows) {
   Whirl w;
   w.frequency = -12566.0;
@@ -76,7 +76,7 @@ TEST(WhirlFrequency, CountsTurnsBetweenFarRows) {
   EXPECT_NEAR(whirl_frequency(points, {0, 100}), w.frequency, 1e-6);
 }
 
-// A machine at rest: the ulps that twins start with turn round at its natural frequency.
+// A machine at rest: the perturbation of its twins by some ulps whirls at its natural frequency.
 TEST(WhirlFrequency, OfAMachineAtRestIsZero) {
   Whirl w;
   w.clearance = 1e-19;
@@ -91,7 +91,7 @@ TEST(WhirlFrequency, NeedsTwoRows) {
   EXPECT_EQ(whirl_frequency(points, {1, 1}), 0.0);
 }
 
-// The ring moves too: d = r_rotor - r_ring, in place and in speed.
+// The ring moves too: d = r_rotor - r_ring, for positions and velocities.
 TEST(RelativeMotion, IsSeenFromTheRing) {
   Trajectory t = test::hand_made(1, 1.0, [](double) {
     test::Row row;

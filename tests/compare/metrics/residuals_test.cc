@@ -38,7 +38,7 @@ TEST(ContactResiduals, ALawfulSeriesHasNone) {
   }
 }
 
-// A force beside an open gap is an impact's own where the impact takes time, and nobody's after it.
+// A force beside an open gap belongs to an impact that takes time, and is a fault after it.
 TEST(ContactResiduals, AnImpactThatTakesTimeHasItsOwnLaw) {
   Trajectory t = hand_made(100, 1e-4, [](double time) {
     Row row = sliding(kRub, time);
@@ -57,7 +57,7 @@ TEST(ContactResiduals, AnImpactThatTakesTimeHasItsOwnLaw) {
   EXPECT_NEAR(contact_residuals(t, facts).complementarity, 0.1, 1e-3);
 }
 
-// At a share of the clearance from the ring's centre, whatever the column `gap` says.
+// The position counts, at a share of the clearance from the ring's centre, not the column `gap`.
 void move_to(double share, Row& row) {
   row.x *= share;
   row.y *= share;

@@ -14,7 +14,7 @@
 namespace rotorub {
 namespace {
 
-// Limits of figures over the modes: sequences of known limit, and chance.
+// Limits of figures over the modes: sequences with known limits, and random ones.
 
 constexpr double kPercent = 0.01;
 const std::vector<int> kModes{12, 16, 20, 24};
@@ -53,8 +53,9 @@ TEST(FigureLimit, WithinTheToleranceIsConverged) {
   EXPECT_EQ(f.left, 0.0);
 }
 
-// 1 + 3/n: 20 % of the first value left out at 12 modes, a tenth of it beyond 24 exactly told.
-TEST(FigureLimit, ASumOverModesIsATrendAndItsRestIsTold) {
+// 1 + 3/n: 12 modes leave out 20 % of the first value; beyond 24 a tenth of it remains, exactly
+// reported.
+TEST(FigureLimit, ASumOverModesIsATrendWithItsRemainder) {
   const FigureLimit f = of("peak_force", [](int n) { return 1.0 + 3.0 / n; });
   EXPECT_EQ(f.convergence, Convergence::kTrend);
   EXPECT_NEAR(f.error.value(), 0.2, 1e-12);
@@ -77,7 +78,7 @@ TEST(FigureLimit, SharesOfTimeGoByPoints) {
   EXPECT_NEAR(of("contact_fraction", value).error.value(), 0.006, 1e-12);
 }
 
-// A figure that falls falls on beyond the last count, and the line says so.
+// A figure that falls still falls beyond the last count, and the line says so.
 TEST(FigureLimit, WhatIsToComeHasTheSignOfTheLimitLessTheLastValue) {
   ModelError error;
   error.modes = kModes;

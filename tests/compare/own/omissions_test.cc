@@ -34,14 +34,15 @@ std::string key(const std::string& attributes) {
   return "<keyframe><key name=\"start\" " + attributes + "/></keyframe>";
 }
 
-// The size of the omission that is named so; 0: there is none.
+// The size of the omission with that name; 0 if there is none.
 double peak_of(const std::vector<Omission>& all, const std::string& named) {
   for (const Omission& o : all) {
     if (o.what.find(named) != std::string::npos) return o.peak;
   }
   return 0.0;
 }
-// Among what the twin of the document leaves out is what is named so, of this size within `room`.
+// Expects that the omissions of the document's twin contain one of that name, of this size within
+// `room`.
 void expect_omission(const std::string& document, const std::string& named, double size,
                      double room, double end = 0.01) {
   const std::vector<Omission> all = omissions_of(document, end);
@@ -53,7 +54,7 @@ void expect_nothing(const std::vector<Omission>& all) {
   for (const Omission& o : all) EXPECT_LT(o.share(100.0), 1e-6) << o.sentence(100.0);
 }
 
-// Springs, slides, a motor and a rub: the twin has them all.
+// Springs, slides, a motor and a rub: the twin has all of them.
 TEST(Omissions, TheShippedMachineHasNone) {
   OwnRun run;
   run.end = 0.06;
@@ -61,7 +62,7 @@ TEST(Omissions, TheShippedMachineHasNone) {
     expect_nothing(OwnMachine(kOwnModel, run).omissions(contact));
 }
 
-// A command is on both sides.
+// Both sides have a command.
 TEST(Omissions, ACommandOfTheControllerIsNone) {
   OwnRun run;
   run.end = 0.03;
@@ -69,7 +70,7 @@ TEST(Omissions, ACommandOfTheControllerIsNone) {
   expect_nothing(OwnMachine(kOwnModel, run).omissions(kRigid));
 }
 
-// The contact's own force is none where MuJoCo calls the plugin among the passive forces.
+// The contact's own force is not an omission if MuJoCo calls the plugin among the passive forces.
 TEST(Omissions, TheContactIsNoneWithoutActuation) {
   test::Machine x;
   x.constraints = key("qpos=\"4.9e-4 0 0 0 0\" qvel=\"0.1 0 0 0 0\"");
@@ -109,7 +110,7 @@ TEST(Omissions, LimitsAreMeasured) {
   expect_omission(test::document(tendon), "the limit of tendon \"stop\"", 40.0, 4.0);
 }
 
-// The ring is struck against the part behind it.
+// The ring also strikes the part behind it.
 TEST(Omissions, OtherContactsAreMeasured) {
   test::Machine x = test::loose_part();
   x.constraints = key("qpos=\"4.9e-4 0 0 0 0 0\" qvel=\"1 0 0 0 0 0\"");
@@ -118,7 +119,7 @@ TEST(Omissions, OtherContactsAreMeasured) {
             1000.0);
 }
 
-// An equality that holds a body beside the machine.
+// An equality constraint that holds a body beside the machine.
 TEST(Omissions, AnEqualityBesideItIsNone) {
   test::Machine x;
   x.bodies = R"(<body name="motor"><joint name="shaft2" type="hinge" axis="0 0 1"/>
@@ -140,7 +141,7 @@ TEST(Omissions, AServoThatSaturatesIsNamed) {
                   1e-6);
 }
 
-// An actuator with a time constant: the twin holds what it is at the start.
+// An actuator with a time constant: the twin keeps its force of the start.
 TEST(Omissions, AnActivationThatMovesIsNamed) {
   test::Machine x;
   x.constraints = R"(<actuator><general name="lag" joint="ring_x" dyntype="filter" dynprm="0.01"
@@ -150,7 +151,7 @@ TEST(Omissions, AnActivationThatMovesIsNamed) {
                   10.0 * (1.0 - std::exp(-0.5)), 0.01, 0.005);
 }
 
-// A rope across the motion pulls with k (L - L_0), of which nothing is linear in x.
+// A rope across the motion pulls with k (L - L_0), which has no linear part in x.
 TEST(Omissions, ATendonThatTurnsIsNamed) {
   constexpr double kStiffness = 1e6, kLength = 0.01, kAside = 4e-4;
   test::Machine x;
@@ -164,7 +165,7 @@ TEST(Omissions, ATendonThatTurnsIsNamed) {
                   kStiffness * (std::hypot(kLength, kAside) - kLength), 0.02, 0.001);
 }
 
-// A pendulum of 2 mm is at l sin a where its twin is at l a.
+// A pendulum of 2 mm is at l sin a, and its twin at l a.
 TEST(Omissions, APlaceThatIsNotLinearIsMeasured) {
   const std::string arm = R"(<body name="arm" pos="0 0 0.098">
       <joint name="a" type="hinge" axis="0 1 0" stiffness="50"/>
@@ -194,7 +195,7 @@ TEST(Omissions, AMassThatTurnsIsMeasured) {
                   "the mass that the contact moves differs", expected, 1e-4, 0.001);
 }
 
-// It slides as fast along the axis as round the ring: 1 - 1 / sqrt(2) of mu N is missing there.
+// It slides as fast along the axis as round the ring, so the twin lacks 1 - 1 / sqrt(2) of mu N.
 TEST(Omissions, FrictionAlongTheAxisIsMeasured) {
   const std::string rotor = R"(<body name="shaft">
       <joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/>
@@ -259,7 +260,7 @@ TEST(Omissions, ALargeOneDecidesThatNothingIsDecided) {
   }
 }
 
-// A small one is said, and the contact models are judged as ever.
+// A small omission is reported, and the contact models are judged as usual.
 TEST(Omissions, ASmallOneIsSaid) {
   const SceneComparison c = compared("0.1", 0.01, CompareMode::kLockstep);
   ASSERT_EQ(c.status(), Status::kOk);

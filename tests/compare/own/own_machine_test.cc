@@ -1,4 +1,4 @@
-// A machine of the user's own beside its twin.
+// A user's machine beside its twin.
 #include "compare/own/own_machine.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ Trajectory own_run(const std::shared_ptr<const OwnMachine>& machine, scene::Cont
   return t;
 }
 
-// The run-up of the shipped machine into its rub: MuJoCo's `rigid` comes to the twin as its step
+// The run-up of the shipped machine into its rub: MuJoCo's `rigid` tends to the twin as its step
 // falls.
 TEST(OwnMachine, ConvergesToItsTwin) {
   const auto machine = std::make_shared<const OwnMachine>(kOwn, until(0.05));
@@ -55,8 +55,8 @@ TEST(OwnMachine, ConvergesToItsTwin) {
   EXPECT_LT(fine, 0.35 * coarse);
 }
 
-// A ring that turns: the rub speeds the rotor up and the ring down. Of first order, as own models
-// are.
+// A ring that turns: the rub accelerates the rotor and slows the ring. It is of first order, as in
+// all models of users.
 TEST(OwnMachine, ConvergesToItsTwinInARingThatTurns) {
   test::Machine x;
   x.friction = 0.15;
@@ -104,7 +104,7 @@ TEST(OwnMachine, SaysAllThatIsWrongAtOnce) {
   std::string text = test::document(x);
   text = test::replaced(text, "<text name=\"rotorub_contact\" data=\"rigid\"/>", "");
   const std::string why = refusal_of("all", text);
-  // A keyframe of another name would start nothing.
+  // A keyframe of another name has no effect.
   EXPECT_TRUE(contains(why, {"integrator=\"RK4\"", "add it with data=\"rigid\"",
                              "<keyframe>: has only \"begin\", but a run starts from the key"}));
   text = test::replaced(text, "nuserdata=\"32\"", "nuserdata=\"2\"");
@@ -130,7 +130,7 @@ TEST(OwnMachine, SaysWhatATextWithoutDataNeeds) {
   EXPECT_TRUE(contains(refusal_of("no_data", text), "add data=\"...\""));
 }
 
-// Driven by a gear, or held by a weld: in the twin it would coast, or float.
+// Driven by a gear, or held by a weld, which the twin would lack.
 TEST(OwnMachine, RefusesADriveOrASupportByAnEquality) {
   test::Machine x;
   x.bodies = R"(<body name="motor"><joint name="shaft2" type="hinge" axis="0 0 1"/>
@@ -140,7 +140,7 @@ TEST(OwnMachine, RefusesADriveOrASupportByAnEquality) {
   EXPECT_TRUE(contains(refusal_of("gear", test::document(x)),
                        "<equality> \"gears\": acts on <joint name=\"spin\">"));
   EXPECT_TRUE(contains(refusal_of("weld", test::document(test::welded())), "moves geom \"bore\""));
-  // One that holds neither is left out and said, as before.
+  // One that holds neither is left out and reported, as before.
   x.constraints = R"(<equality><joint name="brake" joint1="shaft2"/></equality>)";
   EXPECT_EQ(refusal_of("brake", test::document(x)), "");
 }
@@ -177,12 +177,13 @@ TEST(OwnMachine, HasTheImpulsesOfEachOfTwoRings) {
     ASSERT_GT(event.statistics.contacts[k].impulse_total, 0.2);
     expect_near(verlet, 2e-3);
     expect_near(rigid, 5e-3);
-    // Over steps from 10 to 0.5 us it scatters by 4 %, as its accumulation meets them.
+    // Over steps from 10 to 0.5 us it scatters by 4 %, depending on the impacts of its
+    // accumulation.
     expect_near(coulomb, 6e-2);
   }
 }
 
-// The other contact models on the same file, which asks for one.
+// The other contact models on the same file, which sets one of them.
 TEST(OwnMachine, HasEveryContactModel) {
   const auto machine = std::make_shared<const OwnMachine>(kOwn, until(0.1));
   const Trajectory native = run_native(machine->scene(), {});
@@ -252,7 +253,7 @@ TEST(OwnMachine, RefusesWhatIsNone) {
       contains(refusal_of("foreign", "<mujoco><worldbody/></mujoco>"), "names no rotor in a ring"));
 }
 
-// The file has no keys of a scene, so a message must not name one.
+// The file has no keys of a scene, so messages must not name any.
 TEST(OwnMachine, RefusesAStartOutsideTheRing) {
   test::Machine x;
   x.constraints = R"(<keyframe><key name="start" qpos="0 6e-4 0 0 0"/></keyframe>)";

@@ -1,4 +1,4 @@
-// A controller of the user's own on a machine of the user's own: both sides run the same law.
+// A user's controller on a user's machine: both sides run the same law.
 #include "compare/own/ring_control.h"
 
 #include <gtest/gtest.h>
@@ -55,8 +55,8 @@ Trajectory mujoco_of(const std::shared_ptr<const OwnMachine>& machine, double st
   return own_engine(machine, contact)->run(machine->scene(), request);
 }
 
-// The ring is brought to the rotor. The law's memory, samples and switching on are those of the
-// native model, so MuJoCo comes to it as its step falls.
+// The law moves the ring to the rotor. Its memory, samples and switching on are those of the native
+// model, so MuJoCo tends to it as its step falls.
 TEST(RingControl, ConvergesToTheTwinUnderTheSameLaw) {
   const auto machine = machine_with(example(), 0.04);
   const Trajectory native = run_native(machine->scene(), {});
@@ -74,7 +74,8 @@ TEST(RingControl, ConvergesToTheTwinUnderTheSameLaw) {
   EXPECT_NEAR(force[1], 0.0, 0.01 * test::largest_size(native, "control_x"));
 }
 
-// The ctrlrange of its motors, 600 N, cuts nothing off: both sides keep |F_x| + |F_y| within it.
+// The ctrlrange of its motors, 600 N, does not limit the commands: both sides keep |F_x| + |F_y|
+// within it.
 TEST(RingControl, KeepsTheLimitsOfTheActuators) {
   const auto machine = machine_with(example("2000"), 0.02);
   const Trajectory native = run_native(machine->scene(), {});
@@ -93,7 +94,8 @@ TEST(RingControl, KeepsTheLimitsOfTheActuators) {
   EXPECT_LT(test::rotor_error(mujoco, native), 2e-5);
 }
 
-// A gear is undone, and whatever the start has in ctrl of these two gives way to the law.
+// A gear is divided out, and the law overwrites ctrl of these two actuators, whatever the start has
+// there.
 TEST(RingControl, CommandsForcesWhateverTheGear) {
   std::ifstream in(kShipped);
   std::string text(std::istreambuf_iterator<char>(in), {});
@@ -111,7 +113,7 @@ TEST(RingControl, CommandsForcesWhateverTheGear) {
             run_native(machine_with(example(), 0.02)->scene(), {}).column("control_x"));
 }
 
-// A built-in law is taken as well, sampled at every step.
+// A built-in law is accepted as well, sampled at every step.
 TEST(RingControl, TakesABuiltInLaw) {
   const auto machine = machine_with(
       {"controller.kind=sliding", "controller.on=10ms", "controller.preload=20"}, 0.04);

@@ -49,7 +49,7 @@ const char* const kMap =
   "figures": [{"name": "f", "unit": "N", "meaning": "m", "word": false}],
   "columns": [[3, 4]], "status": [0, 0], "statuses": ["ok"], "every": 1}})";
 
-// The folders of a folder, in order of name: one section each.
+// The subfolders in order of name, one section each.
 TEST_F(BesideFolder, FindsWhatTheCommandsLeft) {
   top.write("a/bench.json", kept_bench().dump());
   top.write("b/check.json", R"({"cases": [
@@ -83,7 +83,7 @@ TEST_F(BesideFolder, FindsWhatTheCommandsLeft) {
   EXPECT_EQ(beside.sweeps[0], json::parse(kMap));
 }
 
-TEST_F(BesideFolder, RefusesWhatTheyDidNot) {
+TEST_F(BesideFolder, RefusesOtherFolders) {
   EXPECT_NE(refusal().find("no bench.json, check.json or sweep.json"), std::string::npos);
   top.write("x/bench.json", "{");
   EXPECT_NE(refusal().find("x/bench.json"), std::string::npos) << refusal();
@@ -96,7 +96,7 @@ TEST_F(BesideFolder, RefusesWhatTheyDidNot) {
                                            "reason": ""}]})");
   EXPECT_NE(refusal().find("no engine is called other"), std::string::npos) << refusal();
   std::filesystem::remove(top / "x/check.json");
-  // A list that is shorter than the others would be drawn beside wrong points.
+  // A list that is shorter than the others would be drawn at wrong points.
   std::string cut = kMap;
   cut.replace(cut.find("[3, 4]"), 6, "[3]");
   top.write("x/sweep.json", cut);

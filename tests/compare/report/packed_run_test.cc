@@ -1,11 +1,10 @@
-// Runs as the player gets them: what is promised of every quantity, at every row of the run.
+// Runs as the player gets them: the accuracy of every quantity, at every row of the run.
 #include "compare/report/pack/packed_run.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "compare/engine/engine.h"
@@ -39,7 +38,7 @@ Packed packed(scene::Scene scene, Trajectory run) {
   return {std::move(scene), std::move(run), std::move(tracks), machine};
 }
 
-// Rows as the report has them: dense, but no more than 50,000.
+// Rows as in a report: dense, but at most 50,000.
 Packed packed_run(const Engine& engine, const scene::Scene& scene) {
   RunRequest request;
   request.output_times = dense_times(scene.run, 50000);
@@ -60,8 +59,8 @@ void expect_places(const Packed& p, const std::string& track, const std::string&
   EXPECT_LE(worst, kPlaceTolerance * kRound) << track;
 }
 
-// 1 % of the force, or of the mean over the rows that have one: said here in other words than the
-// packer's.
+// 1 % of the force, or of the mean over the rows with one; this is computed independently of the
+// packer.
 void expect_forces(const Packed& p, const std::string& track,
                    const std::vector<std::string>& names) {
   const UnpackedTrack unpacked(p.tracks.at(track));
@@ -181,7 +180,7 @@ scene::Scene two_catchers(const std::vector<std::string>& overrides = {}) {
       std::string(ROTORUB_SOURCE_DIR) + "/tests/compare/engine/two_catchers.toml", overrides);
 }
 
-// Each of two contacts has its places, its gap and its impacts, and none of the other's.
+// Each of two contacts has its own positions, gap and impacts.
 TEST(PackedRun, KeepsEachContact) {
   const scene::Scene scene = two_catchers();
   const Packed p = packed_run(*native_engine(scene::Integrator::kEvent), scene);
@@ -224,7 +223,7 @@ TEST(PackedRun, KeepsCurrents) {
   expect_all(p);
 }
 
-// A clearance of 10 nm: what is fine is said by the scene.
+// A clearance of 10 nm: the scene determines the accuracy.
 TEST(PackedRun, KeepsATinyClearance) {
   const Packed p =
       packed_run(*native_engine(scene::Integrator::kEvent), test::shipped("hard/tiny_clearance"));
@@ -236,7 +235,7 @@ TEST(PackedRun, KeepsATinyClearance) {
   }
 }
 
-// Rows to the middle of the run alone: as where it diverged.
+// Rows up to the middle of the run, as if it had diverged there.
 TEST(PackedRun, MayEndEarly) {
   const scene::Scene scene = test::shipped("bench_ring", {"run.end=0.05"});
   RunRequest request;

@@ -87,7 +87,7 @@ TEST(RotorData, HasTheSpectraOfTheModel) {
   EXPECT_EQ(data.at("top"), kRange);
 }
 
-// The JSON of the command, and what belongs to the drawing alone.
+// The JSON of the command, and what only the drawing needs.
 TEST(RotorData, HasTheResultAndTheShaft) {
   const scene::Scene s = friswell();
   const Campbell campbell = campbell_of_test(s);
@@ -178,7 +178,7 @@ json found_of(const scene::Scene& s) {
       .at("found");
 }
 
-// A free rotor that is stable at any speed may whip once it touches: the page says so beside it.
+// A free rotor that is stable at any speed may whip once it touches; the page says so.
 TEST(ModesPage, SaysWhatATouchMayLeadTo) {
   scene::Scene s = jeffcott();
   EXPECT_TRUE(found_of(s).at("speeds").at(0).at("rub").is_null()) << "there is nothing to touch";
@@ -241,7 +241,7 @@ TEST(CampbellRange, ShowsWhatMattersAndNoMore) {
   EXPECT_GT(campbell_range(s, analyse_rotor(s, {})), 0.0);
 }
 
-// Critical speeds a little apart each do not lead on to speeds at which no machine runs.
+// Critical speeds that are close together do not lead to speeds at which no machine runs.
 TEST(CampbellRange, StaysNearTheMachinesSpeed) {
   scene::Scene s = jeffcott();
   RotorAnalysis analysis = analyse_rotor(s, {});
@@ -251,7 +251,7 @@ TEST(CampbellRange, StaysNearTheMachinesSpeed) {
   EXPECT_LT(campbell_range(s, analysis), 3.0 * speed);
 }
 
-// What the model says at the scene's speed, and no shape without a shaft.
+// The figures of the model at the scene's speed, and no shape without a shaft.
 TEST(RotorData, OfARunIsOfTheScenesSpeed) {
   const scene::Scene s = test::shipped("paper_passive");
   const json data = rotor_data(s);
@@ -265,7 +265,7 @@ TEST(RotorData, OfARunIsOfTheScenesSpeed) {
   EXPECT_TRUE(rotor_data(test::shipped("bench_ring")).at("found").at("mode_shapes").is_null());
 }
 
-// A rotor without eigenvalues to show still has its page, with the reason.
+// A rotor without eigenvalues still has a page, with the reason.
 TEST(RotorData, OfARunSaysWhyThereIsNone) {
   scene::Scene s = test::shipped("bench_ring");
   s.rotor.modal->mass = {1e-300};

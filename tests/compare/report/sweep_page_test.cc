@@ -97,7 +97,7 @@ TEST_F(SweepPage, NeedsNoNetworkAndQuotesReasons) {
   }
 }
 
-// Every point of a grid over friction has its lasting rubs beside its run, though the run failed.
+// Every point of a grid over friction has its lasting rubs beside its run, even if the run failed.
 TEST_F(SweepPage, HasTheLinearMapOfAGridOverFriction) {
   open(R"([sample]
 kind = "grid"
@@ -129,7 +129,7 @@ TEST_F(SweepPage, HasNoLinearMapOfOtherStudies) {
   EXPECT_FALSE(sweep_json(*scenes, *store, study).at("plots").contains("linear"));
 }
 
-// What a report reads later is what its own page shows.
+// A report reads later what the page of the sweep shows.
 TEST_F(SweepPage, IsKeptForAReport) {
   open(R"([sample]
 kind = "grid"

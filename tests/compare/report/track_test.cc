@@ -1,4 +1,4 @@
-// Packed tracks: what a reader gets back of any samples, and how few knots it takes.
+// Packed tracks: the samples that a reader gets back, and the number of knots.
 #include "compare/report/pack/track.h"
 
 #include <gtest/gtest.h>
@@ -114,7 +114,7 @@ TEST(Track, HasFewKnotsWhereItIsSmooth) {
   EXPECT_GT(line.knots, 3 * cubic.knots);
 }
 
-// An hour into a run a float32 tells no times closer than 0.24 ms: half a radian of this whirl.
+// After an hour a float32 does not resolve times closer than 0.24 ms: half a radian of this whirl.
 TEST(Track, IsAsFineLateInALongRun) {
   const Samples s = circle(2000.0, 1e-5, 20001, 3600.0);
   EXPECT_LE(worst(s, pack(TrackKind::kHermite, s)), 1.0);
@@ -144,7 +144,7 @@ TEST(Track, HoldsFromItsSampleOn) {
   EXPECT_EQ(track.at(0.7, 0), 1.0);
 }
 
-// Of a run that diverged: what cannot be distinguished need not be, but it must not overflow.
+// A run that diverged: values that large need not be distinguished, but must not overflow.
 TEST(Track, MayBeHuge) {
   const Samples s{
       {0.0, 1e-5, 2e-5}, {{1e-9, 1.0, -1e300}}, {{0.0, 1e5, 1e305}}, {3e-8, 1e-2, 1e298}};

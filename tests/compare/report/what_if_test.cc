@@ -1,4 +1,4 @@
-// The sliders of a scene: what they offer, in which units and ranges, and that --set takes them.
+// The sliders of a scene: their keys, units and ranges, and that --set accepts them.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// What the page is given of whirl, against motions made by hand.
+// The page's data on whirl, against motions made by hand.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -50,7 +50,7 @@ std::string columns_table(std::span<const ColumnMeaning> columns) {
   return text + before;
 }
 
-// The metrics of compare.json that the summary lacks, or has with another meaning.
+// The metrics of compare.json that the summary lacks, or defines differently.
 std::vector<ColumnMeaning> metrics_beyond_the_summary() {
   std::vector<ColumnMeaning> beyond;
   for (const ColumnMeaning& key : metric_keys()) {
@@ -108,8 +108,8 @@ std::string sweep_columns_markdown() {
              whole_run, settled);
 }
 
-// Between the marks stands what the program says; ROTORUB_UPDATE_REFERENCE=1 in the environment
-// writes it instead.
+// The text between the marks comes from the program; ROTORUB_UPDATE_REFERENCE=1 in the environment
+// writes it.
 void expect_in_readme(const std::string& file, const std::string& text) {
   const std::string path = std::string(ROTORUB_SOURCE_DIR) + "/" + file;
   std::stringstream content;
@@ -158,7 +158,7 @@ std::set<std::string> names_of(std::span<const ColumnMeaning> columns) {
   return names;
 }
 
-// Every key that is written is explained, and none that is not.
+// Every key that is written is documented, and no other.
 TEST(ColumnFiles, NameTheKeysOfSummaryAndMetrics) {
   std::set<std::string> written;
   for (const char* name : {"paper_passive", "touchdown_ball_bearing"}) {

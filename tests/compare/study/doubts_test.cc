@@ -30,10 +30,10 @@ TEST(Doubts, NameWhatIsHardlyMeantWithItsKey) {
     return doubts(scene_with(speed, contact));
   };
   EXPECT_TRUE(of("\"50 Hz\"", "clearance = \"0.5 mm\"\nfriction = 0.15\n").empty());
-  // 0.4 where 0.4 mm was meant.
+  // 0.4 instead of 0.4 mm.
   EXPECT_TRUE(only(of("\"50 Hz\"", "clearance = 0.4\nfriction = 0.15\n"))
                   .starts_with("contact.clearance = 0.4 m is 8 times"));
-  // rpm taken for rad/s.
+  // rpm instead of rad/s.
   EXPECT_TRUE(
       test::contains(only(of("36000", "clearance = \"0.5 mm\"\nfriction = 0.15\n")), "1800 m/s"));
   EXPECT_EQ(of("0.0", "clearance = 0.4\nfriction = 15.0\n").size(), 2U);
@@ -51,7 +51,7 @@ TEST(Doubts, NameALawThatNeverActs) {
   EXPECT_TRUE(only(of("sample_time = 10.0\n")).starts_with("controller.sample_time = 10 s"));
 }
 
-// Seconds where milliseconds were meant: "no contact" would be a false all-clear.
+// Seconds instead of milliseconds: "no contact" would be misleading.
 TEST(Doubts, NameAnInstantFarBeyondTheEnd) {
   const auto of = [](const std::string& loads) {
     return doubts(scene_with("\"50 Hz\"", "clearance = \"0.5 mm\"\nfriction = 0.15\n" + loads));
@@ -67,7 +67,7 @@ TEST(Doubts, NameAnInstantFarBeyondTheEnd) {
   EXPECT_TRUE(fails.starts_with("magnetic_bearing.control.fails_at = 20 s")) << fails;
 }
 
-// 4000 rpm taken for rad/s: 1204 rad/s lie below the whole table.
+// 4000 rpm instead of rad/s: 1204 rad/s are below the whole table.
 TEST(Doubts, NameATableThatTheSpeedIsOutsideOf) {
   const auto of = [](const std::string& speeds) {
     return doubts(scene::parse_scene(
@@ -136,7 +136,7 @@ restitution = 0.5
                                    "made.toml", std::vector<std::string>{change}));
 }
 
-// Millimetres written as metres.
+// Millimetres as metres.
 TEST(Doubts, NameALengthWithoutItsUnit) {
   EXPECT_TRUE(doubts_of_shaft("rotor.disc[0].diameter=\"2 m\"").empty()) << "a flywheel";
   EXPECT_EQ(only(doubts_of_shaft("rotor.section[0].diameter=\"90\"")),

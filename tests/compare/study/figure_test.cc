@@ -4,7 +4,6 @@
 
 #include <limits>
 
-#include <cmath>
 #include <set>
 
 #include "compare/base/format.h"
@@ -66,7 +65,7 @@ TEST(Format, SizesHaveNoSign) {
   EXPECT_EQ(size_text(force, std::numeric_limits<double>::infinity()), "∞");
 }
 
-// A percentage of the resolution would be read as a percentage of the value.
+// A percentage of the resolution would look like a percentage of the value.
 TEST(Figures, DifferencesFromASmallValueAreWrittenInItsUnit) {
   const Figure& rate = figure("gap_rate_rms");  // resolution 1 mm/s
   EXPECT_TRUE(is_in_units(rate, 0.5301e-3));
@@ -90,10 +89,11 @@ TEST(Format, WordsAreWrapped) {
   EXPECT_EQ(wrapped("", micro), "1 " + std::string(77, 'a') + "µ\n");
   EXPECT_EQ(wrapped("  - ", word + " " + word + "\n" + word),
             "  - " + word + " " + word + "\n    " + word + "\n");
-  // Indented less than the lead is long: the first word too goes where there is room for it.
+  // The indent is shorter than the lead: the first word also goes to the next line if it fits
+  // there.
   const std::string lead = std::string(60, 'l') + ": ";
   EXPECT_EQ(wrapped(lead, word + " end", 6), std::string(60, 'l') + ":\n      " + word + " end\n");
-  // A text that is too long for a line stands alone in one.
+  // A word that is too long for a line has its own line.
   const std::string longest(100, 'x');
   EXPECT_EQ(wrapped("- ", longest + " " + longest), "- " + longest + "\n  " + longest + "\n");
 }

@@ -1,5 +1,5 @@
-// Replay: tapes of what MuJoCo's actuators were told, and comparisons by them; and the shadow's
-// column beside them.
+// Replay: recorded commands of MuJoCo's actuators, comparisons with them, and the shadow beside
+// them.
 #include "compare/study/comparison_runs.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ Taped taped(const scene::Scene& scene, scene::ContactModel contact, double step)
   return t;
 }
 
-// The tape holds the command that the actuator received at each row.
+// The record has the command that the actuator received at each row.
 TEST(CommandTape, HoldsWhatTheSeriesSays) {
   const scene::Scene scene = emulated({"run.end=0.01", "run.output_step=1e-4"});
   for (const auto contact : {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb}) {
@@ -57,7 +57,7 @@ TEST(CommandTape, HoldsWhatTheSeriesSays) {
   }
 }
 
-// Without contact nothing but MuJoCo's step is left: second order for the plugin's own.
+// Without contact only MuJoCo's step differs: second order for the plugin's own.
 TEST(Replay, WithoutContactTheStepAloneIsLeft) {
   const scene::Scene scene = emulated({"run.end=0.02", "force[0].amplitude=20"});
   const auto off = [&](double step) {
@@ -117,7 +117,7 @@ TEST(Replay, EveryContactModelHasANativeRunOfItsOwn) {
       EXPECT_EQ(f.other, f.figure->value(m.run.metrics)) << f.figure->key;
     }
   }
-  // The commands of the cone's run are those of another motion.
+  // The commands of the cone's run belong to another motion.
   const ComparedModel& shown = c.models[2];
   ASSERT_EQ(shown.run.label, "cone");
   EXPECT_NE(c.native.metrics.mean_force, shown.native->metrics.mean_force);
@@ -125,8 +125,8 @@ TEST(Replay, EveryContactModelHasANativeRunOfItsOwn) {
   const auto cone =
       result::json_of(comparisons_result({c})).at("scenes")[0].at("differences").at("cone");
   EXPECT_EQ(cone.at("figures").at("mean_force").at("native"), shown.native->metrics.mean_force);
-  // A ring on springs holds itself: opening its loop costs no more than the step does. The interval
-  // is never less.
+  // A ring on springs is stable by itself, so its open loop has only the error of the step. The
+  // interval is never smaller.
   for (const FigureDifference& f : c.models[0].figures) {
     EXPECT_GE(f.interval, f.replay_floor) << f.figure->key;
     if (std::string(f.figure->key) != "mean_force") continue;
@@ -166,7 +166,7 @@ TEST(ShadowColumn, IsTheNativeStepperAtMujocosStep) {
   EXPECT_EQ(t.steps, c.models[0].run.trajectory.steps);
   EXPECT_TRUE(c.shadow.driven);
   ASSERT_EQ(c.shadow.figures.size(), figures().size());
-  // A stepper of the right law: nearer than the wrong law at the same step.
+  // A stepper of the right law is nearer than the wrong law at the same step.
   const auto mean = [](const std::vector<JudgedFigure>& f) { return std::abs(f[0].deviation); };
   EXPECT_GT(mean(c.shadow.figures), 0.0);
   EXPECT_LT(mean(c.shadow.figures), mean(c.models[2].judged()));

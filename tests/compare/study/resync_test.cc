@@ -1,5 +1,5 @@
-// Contact by contact: distributions by hand, predictions against closed forms, and what the contact
-// models of MuJoCo make of the same onsets.
+// Contact by contact: distributions by hand, predictions against closed forms, and the contact
+// models of MuJoCo from the same onsets.
 #include "compare/study/resync.h"
 #include "native_model/prepare/prepare.h"
 
@@ -19,7 +19,7 @@
 namespace rotorub {
 namespace {
 
-// The libraries that are opened here are the tests' own.
+// The tests open only their own libraries.
 [[maybe_unused]] const bool resync_trusts = (set_scene_libraries(SceneLibraries::kAllowed), true);
 
 using test::shipped;
@@ -65,12 +65,13 @@ TEST(JudgeResync, DistributionsByHand) {
   EXPECT_EQ(impulse.verdict, FigureVerdict::kOutside);
   EXPECT_EQ(row(r, "window_impulse").worst, 0.0);
   EXPECT_EQ(row(r, "window_impulse").verdict, FigureVerdict::kWithin);
-  // One is off, their sum is not.
+  // One contact is off, but the sum is not.
   EXPECT_EQ(r.trust, Trust::kAveragesOnly);
   EXPECT_NE(why(r, 0.01).find("impulse -2 %"), std::string::npos) << why(r, 0.01);
 }
 
-// A grazing touch counts by what the contacts of the run come to, a long one by its own.
+// A grazing touch counts relative to the other contacts of the run, a long contact relative to
+// itself.
 TEST(JudgeResync, WhatADifferenceIsAShareOf) {
   std::vector<PredictedOnset> onsets{made(0.0), made(1.0), made(2.0)};
   onsets[1].native = {0.02, 10.0, 0.0, 0.001};  // a hundredth of the others
@@ -183,7 +184,7 @@ TEST(Resync, EveryImpactOfTheBilliard) {
   for (const PredictedOnset& o : rigid.onsets) EXPECT_NEAR(o.native.rebound, normal, 1e-9);
 }
 
-// The controls are those that MuJoCo used.
+// The commands are those that MuJoCo used.
 TEST(Resync, ReplaysTheCommandsInside) {
   const SceneComparison c =
       resync_of("bench_ring", {"run.end=0.02", "controller.kind=passive",
@@ -199,7 +200,7 @@ TEST(Resync, ReplaysTheCommandsInside) {
 // largest.
 void expect_right_impulses(const std::string& name, const std::vector<std::string>& more) {
   SCOPED_TRACE(name + (more.empty() ? "" : " " + more.front()));
-  // The excitation 80 ms sooner: what comes before it is no contact.
+  // With the excitation 80 ms earlier, what comes before it is not a contact.
   std::vector<std::string> overrides{"run.end=0.04", "run.step=2.5us", "force[0].on=0.02"};
   overrides.insert(overrides.end(), more.begin(), more.end());
   const SceneComparison c = resync_of(name, overrides);
@@ -210,7 +211,7 @@ void expect_right_impulses(const std::string& name, const std::vector<std::strin
   EXPECT_LT(row(rigid, "impulse").worst, 0.01) << "at " << row(rigid, "impulse").worst_time;
 }
 
-// A sampled law behind coils that lag, and a law of the user.
+// A sampled law behind coils that lag, and a user's law.
 TEST(ResyncLong, ImpulsesUnderSampledLawsAreRight) {
   expect_right_impulses("paper_magnetic", {"controller.on=0.023", "controller.sample_time=100us",
                                            "actuator.coil_lag=0.1ms", "controller.preload=30"});

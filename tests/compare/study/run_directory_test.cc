@@ -42,7 +42,8 @@ TEST_F(RunDirectory, ReadsBackTheSameBits) {
   EXPECT_EQ(stored.trajectory.step, run_.step);
 }
 
-// The page of a run says of the rub what the terminal said, which the series alone do not tell.
+// The page of a run says the same of the rub as the terminal, which the series alone do not
+// contain.
 TEST_F(RunDirectory, TheKeptResultHasTheAnswerOfTheRun) {
   write_run(folder_, scene_, run_);
   const auto answer_of = [](const result::Section& result) {
@@ -55,11 +56,11 @@ TEST_F(RunDirectory, TheKeptResultHasTheAnswerOfTheRun) {
   EXPECT_EQ(answer_of(kept), answer_of(run_result(scene_, run_)));
   EXPECT_TRUE(answer_of(kept).starts_with("rubs:yes,from")) << answer_of(kept);
   EXPECT_TRUE(test::contains(result::text_of(kept), "impulse_total"));
-  // An earlier version may have written less.
+  // An earlier version may have written fewer files.
   EXPECT_TRUE(result::text_of(kept_result({{"status", "ok"}})).empty());
 }
 
-// A page of the run before, beside the series of this one, would show another motion.
+// A page of an earlier run beside the series of this one would show another motion.
 TEST_F(RunDirectory, RemovesWhatWasMadeOfAnEarlierRun) {
   write_run(folder_, scene_, run_);
   for (const char* file : {kRunPage, kLyapunovFile, "run.h5", "notes.txt"})
@@ -68,7 +69,7 @@ TEST_F(RunDirectory, RemovesWhatWasMadeOfAnEarlierRun) {
   for (const char* file : {kRunPage, kLyapunovFile, "run.h5"})
     EXPECT_FALSE(std::filesystem::exists(folder_ / file)) << file;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "notes.txt")) << "is the user's";
-  // A folder that is none of a run may have a page of that name.
+  // A folder without a run may have a page of that name.
   const auto page = own_.write(std::filesystem::path("other") / kRunPage, "mine");
   write_run(own_ / "other", scene_, run_);
   EXPECT_TRUE(std::filesystem::exists(page));
@@ -80,7 +81,7 @@ TEST_F(RunDirectory, NamesFileAndLineOfDamage) {
   EXPECT_TRUE(test::contains(test::message_of([&] { read_run(folder_); }), "series.csv:"));
 }
 
-// The shadow belongs to a MuJoCo run of its own scene.
+// The shadow belongs to the MuJoCo run of its own scene.
 TEST_F(RunDirectory, TheShadowIsThatOfTheSameScene) {
   const auto scene_with = [](const char* friction) {
     return test::shipped("bench_ring", {"run.end=0.02", "mujoco.shadow=true", friction});

@@ -1,4 +1,4 @@
-// One summary: what the terminal says of a run is what its summary.json and Python have.
+// The terminal shows the values of summary.json and of Python.
 #include "compare/run_files/summary.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(RunTable, HasTheFiguresOfTheSummary) {
   }
 }
 
-// `event` has steps of its own: nothing that a step of the user's makes is a figure of it.
+// `event` chooses its steps, so figures that depend on the user's step are left out.
 TEST(RunTable, OfStepsOfItsOwnHasNoFigureOfTheStep) {
   for (const char* step : {"run.step=1e-5", "run.step=1e-4"}) {
     const scene::Scene scene = test::shipped("bench_ring", {"run.end=0.05", step});

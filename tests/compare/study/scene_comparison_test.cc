@@ -43,7 +43,7 @@ TEST(SceneComparison, RunsAndTimesEverySide) {
     EXPECT_EQ(s->limits.size(), figures().size());
     EXPECT_GT(s->timing.median, 0.0);
     EXPECT_LE(s->timing.lowest, s->timing.median);
-    // The run that is shown was made beside others, so its time comes from runs that were made
+    // The shown run was computed beside others, so its time comes from runs that were computed
     // alone.
     ASSERT_EQ(s->timing.us_per_step.size(), 1U) << s->label;
     const double seconds = 1e-6 * s->timing.median * static_cast<double>(s->metrics.steps);
@@ -141,7 +141,7 @@ TEST(SceneComparison, BeginsWithOneRowAContactModel) {
   EXPECT_NE(page.find("rigid has the law and the step of native verlet"), std::string::npos);
 }
 
-// A newcomer reads MuJoCo as it comes first, in words, and what the plugin solves for it last.
+// MuJoCo alone comes first, in words, and the models that the plugin solves come last.
 TEST(SceneComparison, AnswersInASentence) {
   const SceneComparison& c = short_comparison();
   std::vector<std::string> order;
@@ -229,7 +229,7 @@ TEST(RowsAt, KeepsTheWantedRowsAlone) {
   EXPECT_EQ(some.column("rotor_x"), (std::vector<double>{10.0, 25.0}));
 }
 
-// Without a touch there is nothing to trust.
+// Without a touch nothing is judged.
 TEST(SceneComparison, NoContactIsNoPraise) {
   CompareOptions options;
   options.timing_repeats = 1;
@@ -244,7 +244,7 @@ TEST(SceneComparison, NoContactIsNoPraise) {
   const std::string text = result::text_of(comparison_result(c));
   EXPECT_NE(text.find("no contact     Nothing touches in 20 ms (least gap "), std::string::npos);
   EXPECT_NE(text.find("least gap, µm"), std::string::npos) << text;
-  // Neither a table of zeros, nor the same sentence for every contact model.
+  // There is neither a table of zeros, nor the same sentence for every contact model.
   EXPECT_EQ(text.find("mean normal force"), std::string::npos) << text;
   EXPECT_EQ(text.find("Nothing touches", text.find("Nothing touches") + 1), std::string::npos);
   EXPECT_TRUE(result::json_of(comparison_result(c))

@@ -87,14 +87,14 @@ TEST(FigureVerdict, OfTwoSingleRuns) {
   }
 }
 
-// A gap that all but rests has a rate that no ratio is worth looking at.
+// If the gap is almost at rest, the ratio of its rates has no meaning.
 TEST(FigureVerdict, ASmallGapRateIsJudgedByItsResolution) {
   const Figure& rate = figure("gap_rate_rms");
   EXPECT_DOUBLE_EQ(deviation(rate, 0.0, 1e-5), 0.01);
   EXPECT_DOUBLE_EQ(deviation(rate, 1e-3, 2e-3), 1.0);
 }
 
-// A share of a value near 0 would hide the size of the error.
+// A percentage of a value near 0 would hide the size of the error.
 TEST(FigureVerdict, ASmallGapRateIsWrittenAsItIs) {
   const JudgedFigure f = judged(figure("gap_rate_rms"), 0.196e-3, 0.157e-3, kPercent);
   EXPECT_EQ(f.verdict, FigureVerdict::kOutside);
@@ -158,7 +158,8 @@ TEST(Why, NamesTheFurthestFirstAndWhatWasNotDecided) {
       "%: rms gap rate +3.00 % ± 7.00 % (9.93 % would be detected)");
 }
 
-// In replay the open loop drifts, by more than equal twins scatter: not 0 % would be detected.
+// In a replay the open loop drifts by more than equal twins scatter, so 0 % is not the detection
+// limit.
 TEST(Why, SaysThatADriftHidesWhatIsSmaller) {
   const FigureSample native{.value = 100.0, .mean = 100.0, .replay_floor = 0.021};
   const FigureSample other{100.5, 100.5};
@@ -188,7 +189,7 @@ SceneComparison made_by_hand() {
   return c;
 }
 
-// A controller that fails, or a native run that does, says nothing of a contact model.
+// A controller that fails, or a native run that fails, says nothing about a contact model.
 TEST(AnswerRow, BlamesNoContactModelForAnotherPartsFailure) {
   for (const bool native : {true, false}) {
     SceneComparison c = made_by_hand();
@@ -204,15 +205,15 @@ TEST(AnswerRow, BlamesNoContactModelForAnotherPartsFailure) {
     EXPECT_EQ(whose_verdict(c), "The exit code is 3: a run did not come to its end.");
     EXPECT_EQ(headline(c, m).find("outside"), std::string::npos);
   }
-  // A contact that fails by itself is its own fault.
+  // A contact that fails by itself is a fault of its model.
   SceneComparison c = made_by_hand();
   c.models[0].run.trajectory.status = Status::kOutOfRange;
   c.models[0].trust = Trust::kNo;
   EXPECT_STREQ(answer(c)[0].verdict.word, "no");
 }
 
-// With several contacts the modal chain has no cone, which a reader looks for first.
-TEST(AnswerRow, SaysWhyMujocoAloneIsNotAmongThem) {
+// With several contacts the modal chain has no cone, which readers expect first.
+TEST(AnswerRow, GivesTheReasonForALeftOutMujocoAlone) {
   SceneComparison c = made_by_hand();
   c.scene.auxiliary.resize(2);
   for (scene::AuxiliaryBearing& at : c.scene.auxiliary) at.contact.emplace();
@@ -222,7 +223,7 @@ TEST(AnswerRow, SaysWhyMujocoAloneIsNotAmongThem) {
   EXPECT_EQ(cone_note(c), "");
 }
 
-// Whoever reads that MuJoCo alone bounces asks with which solref.
+// A reader who sees that MuJoCo alone bounces needs its solref.
 TEST(AnswerRow, SaysTheSolrefOfTheSoftContacts) {
   SceneComparison c = made_by_hand();
   EXPECT_EQ(solref_note(c), "");
@@ -281,7 +282,7 @@ TEST(ThreeErrors, SayWhatCannotBeTold) {
   EXPECT_EQ(three_errors(c, c.models[0]).contact.figure, nullptr);
 }
 
-// A scene without a near miss has no such figure, which is no lack of knowledge.
+// A scene without a near miss has no such figure, which does not make it undecidable.
 TEST(ThreeErrors, LeaveOutWhatTheSceneHasNot) {
   SceneComparison c = made_by_hand();
   c.native.metrics.first_touch = c.models[0].run.metrics.first_touch = 0.1;
@@ -363,7 +364,7 @@ TEST_F(Reasons, OnlyABouncingRotorBounces) {
       << said();
 }
 
-// The worst figure is a count, which has no split; the next one has.
+// The worst figure is a count, which cannot be split; the next one can.
 TEST_F(Reasons, AFigureThatCanBeSplitSaysWhatToDo) {
   set("mean_force", 26.96, 26.97);
   set("hard_impacts", 7.0, 5.0);

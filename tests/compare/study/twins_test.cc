@@ -22,7 +22,7 @@ TEST(Twins, StartOnBothSides) {
   EXPECT_EQ(ulps, (std::vector<int>{1, -1, 2, -2}));
 }
 
-// Whichever thread ran it, a twin is the run of its start, to the bit.
+// On whichever thread it runs, a twin has the bits of the run of its start.
 void expect_runs_of_their_starts(const Engine& engine, const scene::Scene& scene) {
   TwinParameters parameters;
   parameters.count = 6;
@@ -43,8 +43,8 @@ void expect_runs_of_their_starts(const Engine& engine, const scene::Scene& scene
 
 TEST_F(TwinRuns, AreTheRunsOfTheirStarts) { expect_runs_of_their_starts(*event_, scene_); }
 
-// MuJoCo steps in several threads at a time: to the bit as alone, `cone-coulomb` with what it keeps
-// from step to step.
+// MuJoCo steps in several threads at a time: the bits are those of a run alone, also for
+// `cone-coulomb` with its memory.
 TEST_F(TwinRuns, OfMujocoAreTheRunsOfTheirStarts) {
   const MujocoInPlace mujoco;
   for (const auto contact : {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb,
@@ -54,7 +54,7 @@ TEST_F(TwinRuns, OfMujocoAreTheRunsOfTheirStarts) {
   }
 }
 
-// One batch after the other, until they are enough; the same however many threads run them.
+// Batches follow each other until there are enough, independently of the number of threads.
 TEST_F(TwinRuns, EndWhereTheyAreEnough) {
   const Trajectory original = event_->run(scene_, {});
   TwinParameters parameters;
@@ -73,7 +73,7 @@ TEST_F(TwinRuns, EndWhereTheyAreEnough) {
   }
 }
 
-// Whichever thread meets it first.
+// The result does not depend on the thread that finds it first.
 TEST(InParallel, ThrowsTheFirstFailure) {
   for (int repeat = 0; repeat < 20; ++repeat) {
     try {

@@ -1,4 +1,4 @@
-// Scenes in which verdicts once turned on bookkeeping: on the step into which a force falls, on how
+// Scenes in which verdicts once depended on bookkeeping: on the step that has a force, on how
 // impacts are counted.
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ const FigureDifference& of(const ComparedModel& m, const std::string& key) {
   throw std::out_of_range(key);
 }
 
-// 2 kg that land once, to stay, in a ring on springs and a damper.
+// 2 kg that land once and stay, in a ring on springs and a damper.
 constexpr const char* kLanding = R"(
 [run]
 end = 0.2
@@ -65,8 +65,7 @@ TEST(VerdictCases, ALandingIsTheSameAtEveryStep) {
   }
 }
 
-// Hundreds of impacts: each counts as a step of contact, of which the lasting contact knows
-// nothing.
+// Hundreds of impacts: each counts as a step of contact, without being part of the lasting contact.
 TEST(VerdictCases, ImpactsStepsAreNoLastingContact) {
   const SceneComparison c =
       compare_scene(shipped("bench_billiard", {"run.step=5e-5", "run.end=0.5"}), quick(0));
@@ -78,7 +77,7 @@ TEST(VerdictCases, ImpactsStepsAreNoLastingContact) {
   EXPECT_NE(of(rigid, "lasting_fraction").verdict, FigureVerdict::kOutside);
 }
 
-// A shadow whose step is too long for it has no figures.
+// A shadow whose step is too long has no figures.
 TEST(VerdictCases, AShadowThatStoppedIsNotShown) {
   const SceneComparison c =
       compare_scene(shipped("bench_ring", {"run.step=0.02", "run.end=0.1"}), quick(0));
@@ -115,7 +114,7 @@ TEST(VerdictCases, ADepthIsAShareOfItsOwnClearanceInAnyOrder) {
   }
 }
 
-// A rotor that turns within two rings and touches neither.
+// A rotor that turns within two rings without touching them.
 constexpr const char* kWithinTwoRings = R"(
 [run]
 end = 0.002

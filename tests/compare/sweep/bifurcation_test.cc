@@ -142,7 +142,7 @@ end = 0.5
       << data.at("note");
 }
 
-TEST(Bifurcation, SaysWhatItIsNotOf) {
+TEST(Bifurcation, RefusesUnsupportedScenes) {
   test::StudyFolder folder;
   folder.write("free.toml", kScene);
   EXPECT_EQ(no_bifurcation(folder.study(kStudy)), "");

@@ -2,8 +2,6 @@
 #include "compare/sweep/distribution.h"
 
 #include <cmath>
-#include <limits>
-#include <set>
 
 #include "compare/sweep/sample.h"
 #include "tests/compare/sweep/studies.h"
@@ -116,7 +114,8 @@ to = "120 kN/m"
   }
 }
 
-// Pinned: a seed gives these points for ever and everywhere, or a sweep could not go on elsewhere.
+// These points are fixed: a seed must always give them, or a sweep could not continue on another
+// machine.
 TEST(DrawnStudy, OfASeedIsTheSameEverywhere) {
   const StudyFolder folder;
   const std::string vary = "key = \"contact.friction\"\nfrom = 0\nto = 1\n";

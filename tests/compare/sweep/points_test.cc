@@ -53,7 +53,7 @@ void expect_same(const PointResult& a, const PointResult& b) {
   }
 }
 
-// Whatever threads ran it, a point is the run alone.
+// On whichever thread it ran, a point equals the run alone.
 TEST(Points, APointAmongOthersIsThePointAlone) {
   const Made made(frictions("[0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6]") +
                   "integrator = \"verlet\"\n");
@@ -140,7 +140,7 @@ TEST(Points, InterruptedTheyAreNoResults) {
   }
 }
 
-// The key chose between runs side by side, with few figures, and runs one by one.
+// The key selected between runs side by side, with few figures, and single runs.
 TEST(Points, AStudyMaySayWhichFiguresAreKeptAsBefore) {
   testing::internal::CaptureStderr();
   const Made made(frictions("[0.1]") + "figures = \"ensemble\"\n");
@@ -188,7 +188,7 @@ TEST(PointScenes, OfHighFriction) {
   EXPECT_EQ(point.rotor.torsion->modes, 4);
 }
 
-// As in the summary of a run: `event` has no step whose impulse a force could be of.
+// As in the summary of a run: `event` has no fixed step over which to average an impulse.
 TEST(ResultColumns, HaveAPeakForceOfAFixedStepAlone) {
   const Made made(frictions("[0.1]"));
   const auto column = std::ranges::find_if(

@@ -21,7 +21,7 @@ struct Point {
   double impacts = 0.0, contact = 0.0;
 };
 
-// Nothing: the scene is refused, its steady orbit touches the ring.
+// Empty if the scene is refused because its steady orbit touches the ring.
 std::optional<Point> point_of(const sweep::PointScenes& scenes, std::int64_t index) {
   try {
     const Trajectory t = run_with(scenes.at(index), scene::Integrator::kVerlet);
@@ -50,7 +50,7 @@ const std::vector<std::optional<Point>>& passive() {
   return all;
 }
 
-// Shares of the points at which the passive bearing is struck.
+// Fractions of the points at which the passive bearing is touched.
 struct Shares {
   double closed = 0.0;  // contact over 97 %
   double calm = 0.0;    // at most a 20th of its impacts

@@ -47,7 +47,7 @@ TEST(Sample, EndsAreExact) {
   EXPECT_NEAR(*sample.at(3)[0].number, std::sqrt(0.07), 1e-15);
 }
 
-// Every order visits every place once, whatever the number: powers of two, one more, one less.
+// Every order visits every place once, for powers of two, one more and one less.
 TEST(Permutation, IsOne) {
   for (const std::uint64_t n : {1u, 2u, 3u, 4u, 5u, 63u, 64u, 65u, 1000u, 4097u}) {
     for (const std::uint64_t key : {0u, 1u, 77u}) {
@@ -87,7 +87,8 @@ TEST(LatinHypercube, KeysAreNotCorrelated) {
   EXPECT_LT(std::abs(12.0 * sum / 1000.0), 4.0 / std::sqrt(1000.0));
 }
 
-// Pinned: a seed gives these points for ever and everywhere, or a sweep could not go on elsewhere.
+// These points are fixed: a seed must always give them, or a sweep could not continue on another
+// machine.
 TEST(LatinHypercube, OfASeedIsTheSameEverywhere) {
   const Study study = hypercube(10, 42);
   const Sample sample(study);

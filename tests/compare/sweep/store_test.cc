@@ -133,8 +133,8 @@ TEST(Shard, CoverAllPointsOnce) {
   }
 }
 
-// A path with a line break adds no command of its own to the script, neither in the commands nor in
-// the comments.
+// A path with a line break adds no command to the script, neither in the commands nor in the
+// comments.
 TEST(SlurmScript, KeepsAPathOnItsLine) {
   sweep::SlurmJob job;
   job.program = "/usr/bin/rotorub";

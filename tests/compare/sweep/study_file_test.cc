@@ -34,7 +34,7 @@ integrator = "verlet"
   EXPECT_EQ(study.engine, EngineKind::kNative);
 }
 
-// [controller.config] takes any name, a number or a text.
+// [controller.config] accepts any name, with a number or a text.
 TEST(Study, TakesTheNamesOfTheUsersLaw) {
   const StudyFolder folder;
   const Study study = folder.study(
@@ -89,7 +89,7 @@ end = -1
   }
 }
 
-// They could stand neither behind `key =` nor on one line of the results.
+// Such names fit neither behind `key =` nor on one line of the results.
 TEST(Study, TablesAndBrokenLinesAreNoValues) {
   const StudyFolder folder;
   for (const char* values : {"[{a = 1}, 0.1]", "[[{a = 1}]]", "[1979-05-27]", "[\"a\\nb\"]"}) {
@@ -99,7 +99,7 @@ TEST(Study, TablesAndBrokenLinesAreNoValues) {
   }
 }
 
-// The table counts as the one that is meant, so it is not missing as well.
+// The table counts as the one that was meant, so it is not reported as missing.
 TEST(Study, ReportsAMisspeltTableOnce) {
   const StudyFolder folder;
   const std::string vary = "key = \"contact.friction\"\nvalues = [0.1]\n";

@@ -1,4 +1,4 @@
-// The order in which a sweep runs its points, and what it tells meanwhile.
+// The order in which a sweep runs its points, and its reports of progress.
 #include "compare/sweep/sweep_run.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ TEST(RunSweep, FirstPointsAreSpreadOverTheStudy) {
   const std::vector<bool> done = sweep.store.done();
   for (std::size_t k = 0; k < kFirst; ++k) EXPECT_TRUE(done[k * kPoints / kFirst]) << k;
   EXPECT_FALSE(done[kPoints - 1]);
-  // The others follow, each once.
+  // Each of the others follows once.
   EXPECT_TRUE(run_sweep(sweep.scenes, sweep.store, {}));
   EXPECT_EQ(sweep.store.count(), kPoints);
 }
@@ -56,7 +56,7 @@ TEST(RunSweep, TellsTheTimeThatIsLeftOnceAPointIsDone) {
     EXPECT_EQ(at.left.value_or(1.0) > 0.0, at.now < 500);
   }
   EXPECT_EQ(told.back().now, 500);
-  // Called again, it has nothing to run.
+  // A second call has nothing to run.
   told.clear();
   EXPECT_TRUE(run_sweep(sweep.scenes, sweep.store, options));
   ASSERT_FALSE(told.empty());

@@ -48,7 +48,7 @@ TEST(WithValues, AddsBehindTheLastKeyAndTakesAway) {
             "1e-05\n");
 }
 
-// The written text reads back as the setting, for every variant and whatever stood there before.
+// The written text reads back as the setting, for every variant and any previous text.
 TEST(TunedText, ReadsAsTheSetting) {
   const std::string shipped = scene::file_text(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml");
   for (const std::string& before :

@@ -28,7 +28,7 @@ JudgedSetting made(ContactModel contact, double step, double us, double mean, do
 }
 
 TEST(Choice, TakesTheCheapestOfSimulatedTimeNotOfAStep) {
-  // 0.1, 0.05, 0.02 and 0.04 s a second.
+  // 0.1, 0.05, 0.02 and 0.04 s per second.
   const Choice choice = choose({made(ContactModel::kRigid, 1e-5, 1.0, 0.0, 0.0),
                                 made(ContactModel::kRigid, 1e-4, 5.0, 0.0, 0.0),
                                 made(ContactModel::kCoulomb, 1e-4, 2.0, 0.0, -0.89),
@@ -71,12 +71,12 @@ TEST(Choice, LuckAndFailuresAreNotTrusted) {
   EXPECT_EQ(failed.wrong(), std::vector<std::string>{"run"});
 }
 
-TEST(Choice, OfNothingIsNothing) {
+TEST(Choice, IsEmptyWithoutCandidates) {
   const Choice choice = choose({});
   EXPECT_FALSE(choice.trusted || choice.next_cheaper || choice.nearest);
 }
 
-// The mean force is off by step / 10 ms for `rigid`, by a tenth whatever the step for others; the
+// The error of the mean force is step / 10 ms for `rigid` and a tenth at any step for others; the
 // cone happens to be right at 50 us.
 Outcome made_run(const Setting& s, double) {
   Outcome outcome;
@@ -106,9 +106,9 @@ TEST(Search, StopsWhereASmallerStepCannotBeCheaper) {
   EXPECT_FALSE(cone.is_trusted()) << "right at one step alone";
 }
 
-// The table of rotorub tune, of a made-up result.
+// The table of rotorub tune, from a made-up result.
 
-// A figure's line has its own causes, whichever figures each of them can tell.
+// The line of a figure has its own causes, whatever causes the other figures have.
 TEST(TuneTable, EachCauseStandsAtItsFigure) {
   TuneResult r;
   r.tolerance = 0.01;

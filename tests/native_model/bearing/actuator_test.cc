@@ -45,7 +45,7 @@ TEST(Electromagnet, CurrentIsTheInverse) {
   }
 }
 
-// Also where the quadratic has no root at all, near a core and far beyond what the magnets give.
+// Also if the quadratic has no root, near a core and far beyond the force of the magnets.
 TEST(Electromagnet, OutOfReachIsTheLimit) {
   const Electromagnet law(kMagnet);
   for (const double s : {-4.9e-3, -1e-3, 0.0, 1e-3, 4.9e-3}) {
@@ -57,7 +57,7 @@ TEST(Electromagnet, OutOfReachIsTheLimit) {
   }
 }
 
-// Hard: the formula has a pole at s = s_0, and a ring that escapes runs through it.
+// The formula has a pole at s = s_0, which a ring that escapes passes.
 TEST(Electromagnet, FiniteAtAndBeyondTheCores) {
   const Electromagnet law(kMagnet);
   for (const double s : {5e-3, -5e-3, 0.1, -1e6}) {
@@ -145,7 +145,7 @@ TEST(ForceTable, BeyondItsEdgesTheForceIsHeld) {
   EXPECT_EQ(table.force(1e-4, -9.0), table.force(1e-4, -kCurrent));
 }
 
-// Hard: the values rise everywhere, the spline between them does not.
+// The values rise everywhere, but the spline between them does not.
 TEST(ForceTable, SaysWhereItHasNoInverse) {
   const auto step = [](double, double i) { return i + (i > 0.1 ? 500.0 : 0.0); };
   const std::string reason = ForceTable(grid(8, step)).refusal();

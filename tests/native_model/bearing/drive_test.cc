@@ -23,7 +23,7 @@ scene::Drive kloss() {
   return d;
 }
 
-// Rises, rests and falls, unevenly spaced.
+// The curve rises, is constant and falls, with uneven spacing.
 scene::Drive table() {
   scene::Drive d;
   d.kind = scene::DriveKind::kTable;
@@ -121,7 +121,7 @@ scene::Drive controlled() {
   return d;
 }
 
-// On its reference, and the angle of the reference behind it, it has nothing to do.
+// If speed and angle equal the reference, the drive has no torque.
 TEST(DriveSpeedControlled, RestsOnItsReference) {
   for (const double start : {100.0, 500.0, 300.0}) {
     const Drive drive(controlled(), start);
@@ -136,7 +136,7 @@ TEST(DriveSpeedControlled, RestsOnItsReference) {
       EXPECT_NEAR(drive.torque(t, angle - 0.1, reference), 2.0, 1e-11);
       EXPECT_EQ(drive.torque(t, angle, reference - 20.0), 4.0) << "at its limit";
       EXPECT_EQ(drive.torque(t, angle + 9.0, reference), -4.0);
-      // However far it was left behind, it goes no faster than limit / gain above its reference.
+      // However far the drive lags, its speed is at most limit / gain above its reference.
       EXPECT_NEAR(drive.torque(t, angle - 900.0, reference + 8.0), 0.0, 1e-11);
     }
   }

@@ -1,4 +1,4 @@
-// The laws of what carries the ring, each against a sum, an integral or a closed form.
+// The laws of the ring's support, each against a sum, an integral or a closed form.
 #include "native_model/bearing/ring_support.h"
 
 #include <gtest/gtest.h>
@@ -130,7 +130,7 @@ TEST(BallBearing, IsASpringWithAnEnergyAndABoundedSlope) {
 }
 
 // ---------------------------------------------------------------- dry friction
-// Along a way the state is 1 - exp(-x / d), and after a reversal 2 exp(-x / d) - 1.
+// Along a straight path the state is 1 - exp(-x / d), and after a reversal 2 exp(-x / d) - 1.
 TEST(DryFriction, FollowsTheWay) {
   constexpr double kWay = 1e-5;
   double s = 0.0;

@@ -1,4 +1,4 @@
-// Newton's iteration on a response that is known by trial alone, against closed forms.
+// Newton's iteration on a response that is known only by evaluation, against closed forms.
 #include "native_model/contact/constrained_law.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ ConstrainedContact solve_frictionless(Given& response, const Eigen::Vector2d& fr
   return solve_constrained(response, free, expected, {&none, 1});
 }
 
-// A line is the law's own 2x2 problem.
+// A linear response is the 2x2 problem of the law itself.
 TEST(ConstrainedLaw, ALineGivesTheClosedForm) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -75,8 +75,8 @@ TEST(ConstrainedLaw, AStopAndAnAnchorThatSlipsAreFollowed) {
   }
 }
 
-// A response that jumps over the answer: told, and finite.
-TEST(ConstrainedLaw, WhatHasNoSolutionIsTold) {
+// A response that jumps over the solution: the failure is reported, and all values are finite.
+TEST(ConstrainedLaw, ReportsThatThereIsNoSolution) {
   Given response([](const Eigen::Vector2d& p) {
     return Eigen::Vector2d((p.x() < 1.0 ? -1.0 : 1.0) + 0.1 * p.x(), 0.0 + p.y());
   });

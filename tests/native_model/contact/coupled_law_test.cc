@@ -1,5 +1,5 @@
-// Several contacts that act on the same bodies: against closed forms, an enumeration that knows
-// nothing of the solver's cases, and a residual that shares no code with it.
+// Several contacts that act on the same bodies: against closed forms, an enumeration without the
+// solver's cases, and a residual that shares no code with the solver.
 #include "native_model/contact/coupled_law.h"
 
 #include <gtest/gtest.h>
@@ -177,7 +177,7 @@ TEST(CoupledLaw, NoImpactGainsEnergy) {
   }
 }
 
-// More than three: swept, and exact all the same.
+// More than three contacts are solved by sweeps, and as exactly.
 TEST(CoupledLaw, EightContactsMeetTheLaws) {
   std::mt19937 random(4);
   for (int k = 0; k < 30; ++k) {
@@ -191,8 +191,8 @@ TEST(CoupledLaw, EightContactsMeetTheLaws) {
   }
 }
 
-// Rings of different friction and restitution at one place: their impulses, and with them the
-// friction, could be shared in many ways. They share the normal impulse alike, in whatever order.
+// Rings of different friction and restitution at one place: their impulses, and so the friction,
+// could be shared in many ways. They share the normal impulse equally, in any order.
 TEST(CoupledLaw, WhatIsSharedDoesNotDependOnTheOrder) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -230,8 +230,8 @@ TEST(CoupledLaw, WhatIsSharedDoesNotDependOnTheOrder) {
   }
 }
 
-// Two rings at one place jam as one does: that sharing has a rule makes no motion of two.
-TEST(CoupledLaw, WhatJamsIsAmbiguousHoweverManyShareIt) {
+// Two rings at one place jam as one does: a rule for sharing does not remove one of two motions.
+TEST(CoupledLaw, JammingIsAmbiguousForAnyNumberOfContacts) {
   for (const int contacts : {1, 2, 3}) {
     const auto rows = static_cast<Eigen::Index>(2 * contacts);
     ContactMatrix a(rows, rows);
@@ -247,8 +247,8 @@ TEST(CoupledLaw, WhatJamsIsAmbiguousHoweverManyShareIt) {
   }
 }
 
-// Contacts of a mode that is 1 at the one and all but 1 at the other: which of them sticks is open,
-// what the mode does is not.
+// Contacts of a mode that is 1 at one and nearly 1 at the other: which of them sticks is
+// undetermined, the motion of the mode is not.
 TEST(CoupledLaw, ContactsThatAreNearlyAlikeHaveOneMotion) {
   for (const double other : {1.0, 1.0 + 1e-12, 1.0 + 1e-9, 1.0 - 1e-7}) {
     for (const double slip : {-0.3, -0.01, 0.01, 0.3}) {
@@ -274,8 +274,8 @@ TEST(CoupledLaw, ContactsThatAreNearlyAlikeHaveOneMotion) {
   }
 }
 
-// Nothing that moves: no impulse, and it is told.
-TEST(CoupledLaw, WhatCannotMoveHasNoSolution) {
+// A body that cannot move gets no impulse, and this is reported.
+TEST(CoupledLaw, ABodyThatCannotMoveHasNoSolution) {
   const ContactMatrix a = ContactMatrix::Zero(4, 4);
   ContactVector b(4);
   b << -1.0, 0.5, -1.0, 0.5;

@@ -62,7 +62,7 @@ double off_the_laws(const ContactMatrix& a, const ContactVector& b,
   return worst / (b.norm() + a.trace() * p.norm());
 }
 
-// Slip along the axis alone, along the ring alone, and between: a body of mobility 1 all round.
+// Slip along the axis, along the ring, and between: a body of mobility 1 in all directions.
 TEST(DiscLaw, ByHand) {
   const ContactMatrix a = Eigen::Matrix3d::Identity();
   std::vector<DiscSet> sets(1);
@@ -88,7 +88,7 @@ TEST(DiscLaw, OneContactMeetsTheLaws) {
   for (int k = 0; k < 4000; ++k) {
     const ContactMatrix a = random_bodies(random, 1, 4);
     ContactVector b = random_motion(random, 1);
-    // Fast slip, slow slip, and none in one direction.
+    // Fast slip, slow slip, and no slip in one direction.
     b.tail<2>() *= std::pow(10.0, 6.0 * unit(random) - 3.0);
     if (k % 10 == 0) b[1] = 0.0;
     std::vector<DiscSet> sets(1);
@@ -107,7 +107,7 @@ TEST(DiscLaw, OneContactMeetsTheLaws) {
   EXPECT_GT(sticking, 200);
 }
 
-// Where mu |G_NT| < G_NN by far, the motion is one.
+// If mu |G_NT| is far below G_NN, the motion is unique.
 TEST(DiscLaw, OneSolutionWhereFrictionIsModerate) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -190,8 +190,8 @@ TEST(DiscLaw, NoImpactGainsEnergy) {
   }
 }
 
-// Directions that move unlike, rates far apart, friction far above 1 with a normal that is coupled
-// to it: hard as the friction nearly jams. There is a solution, and no energy gained.
+// Directions with different mobilities, very different rates, friction far above 1 with a coupled
+// normal: hard because the friction nearly jams. There is a solution, and no gain of energy.
 TEST(DiscLaw, BadlyScaledContactsAreSolved) {
   std::mt19937 random(11);
   std::normal_distribution<double> normal;
@@ -263,8 +263,9 @@ TEST(DiscLaw, TwoContactsThatAreNearlyOne) {
   }
 }
 
-// Two rings about a body that cannot tilt: one motion, and each takes half, along the axis too.
-TEST(DiscLaw, WhatIsSharedIsSharedAlike) {
+// Two rings about a body that cannot tilt: the motion is unique, and each ring takes half, also
+// along the axis.
+TEST(DiscLaw, ContactsAtOnePlaceShareEqually) {
   ContactMatrix a(6, 6);
   const Eigen::Matrix3d one = Eigen::Vector3d(0.5, 0.7, 0.6).asDiagonal();
   a << one, one, one, one;
@@ -280,7 +281,7 @@ TEST(DiscLaw, WhatIsSharedIsSharedAlike) {
   }
 }
 
-TEST(DiscLaw, WhatCannotOpenHasNoSolution) {
+TEST(DiscLaw, AContactThatCannotOpenHasNoSolution) {
   const ContactMatrix a = Eigen::Vector3d(0.0, 1.0, 1.0).asDiagonal();
   EXPECT_EQ(solve_discs(a, Eigen::Vector3d(-1.0, 0.5, 0.5), std::vector<DiscSet>(1)).solutions, 0);
 }

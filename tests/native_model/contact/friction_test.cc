@@ -1,4 +1,4 @@
-// The friction law by itself, and the sets that the solvers make of it.
+// The friction law, and the sets that the solvers derive from it.
 #include "native_model/contact/friction.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(Friction, FallsFromStaticToKineticAndGrowsWithTheSlip) {
     EXPECT_NEAR(law.slope(slip), (law.at(v + d) - law.at(v - d)) / (2.0 * d), 1e-8) << slip;
     EXPECT_GE(law.bound(slip), law.at(slip));
   }
-  // Beyond the end of sliding it goes on smoothly.
+  // Beyond the end of sliding it continues smoothly.
   EXPECT_NEAR(law.along(1e-3) + law.along(-1e-3), 2.0 * law.along(0.0), 1e-4);
 }
 
@@ -78,7 +78,7 @@ double rubbed(const FrictionLaw& law, double slip, double drift, double mobility
   return sum;
 }
 
-// Each phase's friction is that of the slips that it runs through.
+// The friction of each phase is that of its slips.
 TEST(FallingFriction, ImpactsFollowTheirSlip) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -111,8 +111,8 @@ TEST(FallingFriction, ImpactsFollowTheirSlip) {
   EXPECT_GT(sticks, 40);
 }
 
-// Where friction falls steeply, the same impact may leave sliding or sticking: the slip is the
-// first that it reaches from where it begins.
+// Where friction falls steeply, the same impact may end in sliding or sticking: the first slip that
+// it reaches from its start counts.
 TEST(FallingFriction, OfSeveralSlipsTheOneNextToTheBeginning) {
   const Delassus g{1.0, 0.0, 0.0, 1.0};
   FrictionLaw law = 0.1;
@@ -153,7 +153,7 @@ TEST(FallingFriction, SeveralContactsEachHaveTheMuOfTheirSlip) {
       const double friction = s.p.segment(i * rows + 1, rows - 1).norm();
       if (slip > 1e-9) {
         ++met;
-        // The slip lies between the first and the last one.
+        // The slip is between the first and the last.
         const double first = b.segment(i * rows + 1, rows - 1).norm();
         EXPECT_LE(friction, law.bound(std::max(first, slip)) * pressed + 1e-11 * s.p.norm()) << k;
         EXPECT_GE(friction, law.coefficient * pressed - 1e-11 * s.p.norm()) << k;

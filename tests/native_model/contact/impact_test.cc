@@ -39,8 +39,8 @@ TEST(Impact, PlanarOracleSweep) {
   }
 }
 
-// With and without coupling of normal and tangential direction, all coefficients, mu to 10, also
-// for bodies that do not close: the laws hold, energy never grows.
+// With and without coupling of normal and tangential direction, all coefficients, mu up to 10, also
+// for bodies that separate: the laws hold, and energy never grows.
 TEST(Impact, RandomImpactsSatisfyTheLawsAndDissipate) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -53,7 +53,7 @@ TEST(Impact, RandomImpactsSatisfyTheLawsAndDissipate) {
     const Delassus g{nn, nt, nt, tt};
     const ImpactResult r = solve_impact(g, gap_rate, slip, law);
     if (r.status != Status::kOk) {
-      // Only a coupling beyond the friction cone can do without a single solution.
+      // Only a coupling beyond the friction cone may have no unique solution.
       ASSERT_GE(law.friction.coefficient * std::abs(nt), nn) << k;
       continue;
     }
@@ -87,10 +87,10 @@ TEST(ImpactMap, FiniteTimesFadeToTheClassicalLaw) {
 
 // ------------------------------------------------------------------
 
-// When an accumulation of impacts ends: one rule for every engine.
+// All engines end an accumulation of impacts by the same rule.
 
 TEST(Rebound, ClosingAccelerationIsFromTheLoadAndTheTurningOfTheNormal) {
-  // On a circle of 2 m at 3 m/s the centre falls away by 4.5 m/s^2.
+  // On a circle of 2 m at 3 m/s the centre accelerates by 4.5 m/s^2.
   EXPECT_DOUBLE_EQ(closing_acceleration({1.0, 0.0}, {0.5, 3.0, 9.0}, {1.25, 7.0, 8.0}, 2.0),
                    1.25 + 4.5);
   EXPECT_DOUBLE_EQ(closing_acceleration({0.0, -1.0}, {3.0, 0.5, 9.0}, {7.0, -1.25, 8.0}, 2.0),
@@ -105,7 +105,7 @@ TEST(Rebound, AFlightLastsTwiceItsSpeedOverTheClosingAcceleration) {
   EXPECT_FALSE(flight_outlives(1.0, 0.0, 1.0)) << "no rebound at all";
 }
 
-// Impacts that are not located: what the fall of a step gives back to each.
+// Impacts that are not located: the speed that the fall within a step adds to each.
 TEST(Rebound, AnImpactThatFeedsItselfHasNoFlight) {
   const double h = 1e-5, load = 10.0;
   EXPECT_FALSE(rebound_outlives_steps(h, 0.5, 1.9e-4, load)) << "a flight of less than two steps";

@@ -60,7 +60,7 @@ TEST(Coulomb, AnUnsymmetricMatrixMayHaveNoSolution) {
 }
 
 // ---------------------------------------------------------------- kinematics
-// Where straight paths meet the circle, and which normal a contact has that they close.
+// The intersection of straight paths with the circle, and the normal of a contact that they close.
 
 constexpr double kRing = 0.5e-3;  // m
 
@@ -101,7 +101,7 @@ TEST(NormalOfPath, IsThatOfItsBeginUnlessItLeavesElsewhere) {
 
 // ------------------------------------------------------------------
 
-// Rates of a contact, and the work of an impulse on them.
+// The rates of a contact, and the work of an impulse on them.
 
 constexpr double kLastDigit = 1e-15;
 
@@ -113,7 +113,7 @@ TEST(ContactKinematics, RatesAreThoseOfTheContactPoint) {
   EXPECT_NEAR(rates.y(), p.slip, kLastDigit);
 }
 
-// A disc of 2 kg that a wall throws back: e_r = (1, 0), the impulse -x and along y.
+// A wall throws a disc of 2 kg back: e_r = (1, 0), the impulse along -x and y.
 TEST(ContactKinematics, AnImpulsesWorkIsItsEnergy) {
   const Eigen::Vector2d e_r{1.0, 0.0}, before{0.4, 0.3};
   const double mass = 2.0, normal = 1.2, friction = -0.25;

@@ -1,4 +1,4 @@
-// Commands of one run given again to another: the record by hand, and runs that it drives.
+// The recorded commands of one run in another: the record by hand, and runs that it drives.
 #include "native_model/control/command_record.h"
 
 #include <gtest/gtest.h>
@@ -70,7 +70,7 @@ TEST(CommandRecord, MeansWeighByTime) {
   EXPECT_EQ(record.mean(2.0, 9.0), Eigen::Vector2d(4.0, 8.0));
 }
 
-// Nothing but the loop is open: the same trajectory, through the impacts of bench_ring and into its
+// Only the loop is open: the trajectory is the same, through the impacts of bench_ring and into its
 // lasting contact.
 TEST(Replay, IsTheClosedLoopsTrajectory) {
   const scene::Scene scene = sampled();
@@ -81,13 +81,13 @@ TEST(Replay, IsTheClosedLoopsTrajectory) {
   ASSERT_GT(closed.impacts.size(), 3U);
   EXPECT_LT(trajectory_error(closed, open), 1e-12);
   EXPECT_EQ(closed.impacts.size(), open.impacts.size());
-  // Without them it is another motion.
+  // Without the commands the motion differs.
   EXPECT_GT(trajectory_error(
                 closed, run(scene, scene::Integrator::kEvent, std::make_shared<CommandRecord>())),
             1e-5);
 }
 
-// With magnets it is currents that are told; the forces follow from the ring's own place.
+// With magnets the record contains currents; the forces depend on the ring's own position.
 TEST(Replay, GivesMagnetsTheirCurrents) {
   const scene::Scene scene = sampled({"actuator.kind=electromagnet", "actuator.force_constant=4e-4",
                                       "actuator.bias_current=3", "actuator.air_gap=5e-3"});
@@ -97,8 +97,8 @@ TEST(Replay, GivesMagnetsTheirCurrents) {
   EXPECT_LT(trajectory_error(closed, open), 1e-12);
 }
 
-// The fixed steps take the mean over theirs, and keep their orders: 2 and 1. (At this step jumps
-// stand on the steps' ends.)
+// The fixed steps use the mean command over each step, and keep their orders, 2 and 1. (At this
+// step commands jump at the ends of steps.)
 TEST(Replay, DrivesTheFixedStepsToo) {
   const scene::Scene scene = sampled();
   const auto commands = told(scene, "control_x", "control_y");

@@ -1,5 +1,4 @@
-// A sampled controller as it is run: when its trigger lets it in, what it is told of that, its
-// state.
+// A sampled controller in a run: its trigger, the measurements at its start, its state.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +20,7 @@ namespace {
 
 constexpr double kLoopSample = 1e-4, kLoopClearance = 5e-4;
 
-// Tells when it was let in, and how often it was asked.
+// Records when it was switched on, and counts its calls.
 class Probe final : public Controller {
  public:
   std::size_t state_size() const override { return 2; }
@@ -34,7 +33,7 @@ class Probe final : public Controller {
   mutable SwitchOn seen;
 };
 
-// A rotor that goes to the ring at `speed` from the centre, along a slant line.
+// A rotor that approaches the ring at `speed` from the centre, along an oblique line.
 Measurement approach(int k, double speed) {
   Measurement m;
   m.t = k * kLoopSample;
@@ -50,7 +49,7 @@ struct Trial {
       : law(std::make_shared<Probe>()),
         loop(law, {}, trigger, kLoopSample, kLoopClearance),
         memory(loop.memory_size(), 0.0) {}
-  // The first sample with a command; -1: none up to `samples`.
+  // The first sample with a command; -1 if there is none up to `samples`.
   int first(int samples, double speed) {
     for (int k = 0; k < samples; ++k) {
       if (!loop.sample(approach(k, speed), memory.data()).isZero(0.0)) return k;
@@ -94,7 +93,8 @@ TEST(ControlLoop, TriggersByTouchAlsoBetweenTwoSamples) {
   scene::Trigger trigger;
   trigger.touch = true;
   EXPECT_EQ(Trial(trigger).first(100, 0.1), 50) << "closed";
-  // In at 0.1 m/s, touched and thrown back between samples 49 and 50: the gap is never seen closed.
+  // The rotor approaches at 0.1 m/s, touches and rebounds between samples 49 and 50, so no sample
+  // has a closed gap.
   Trial run(trigger);
   for (int k = 0; k < 50; ++k) {
     ASSERT_TRUE(run.loop.sample(approach(k, 0.1), run.memory.data()).isZero(0.0)) << k;
@@ -105,8 +105,8 @@ TEST(ControlLoop, TriggersByTouchAlsoBetweenTwoSamples) {
   EXPECT_FALSE(run.loop.sample(back, run.memory.data()).isZero(0.0));
 }
 
-// Contact that lasts leaves the gap at round-off of either sign; armed in it, the trigger is let in
-// at once.
+// In lasting contact the gap is round-off of either sign; a trigger that is armed then fires at
+// once.
 TEST(ControlLoop, TriggersAtOnceInLastingContact) {
   scene::Trigger trigger;
   trigger.touch = true;
@@ -125,7 +125,7 @@ TEST(ControlLoop, TriggersAtOnceInLastingContact) {
   EXPECT_TRUE(run.loop.sample(near, run.memory.data()).isZero(0.0)) << "0.1 um off the ring";
 }
 
-TEST(ControlLoop, ARotorThatTurnsBackBeforeTheRingIsNoTouch) {
+TEST(ControlLoop, DoesNotTriggerIfTheRotorTurnsBackBeforeTheRing) {
   scene::Trigger trigger;
   trigger.touch = true;
   Trial run(trigger);
@@ -145,7 +145,7 @@ TEST(ControlLoop, ARotorThatTurnsBackBeforeTheRingIsNoTouch) {
 
 constexpr double kSensorSample = 1e-4;
 
-// No two numbers alike.
+// All numbers differ.
 Measurement truth(std::int64_t k) {
   const double t = static_cast<double>(k) * kSensorSample;
   Measurement m;
@@ -170,7 +170,7 @@ std::vector<Measurement> shown(const scene::Sensors& settings, int samples) {
   return all;
 }
 
-TEST(Sensors, WhatIsNotMeasuredIsZeroAndSaidSo) {
+TEST(Sensors, UnmeasuredValuesAreZeroAndNotListed) {
   scene::Sensors s;
   s.rotor = s.spin = s.current = false;
   const Measurement m = shown(s, 1).front();
@@ -335,7 +335,7 @@ TEST(SlidingController, LastingContactCarriesThePreload) {
 // The reference rig from the switch-on to 50 ms after the touch. The more modes, the less the rotor
 // weighs at the contact: 1.2 kg with 2, 0.30 kg with 12. Where the law gives the actuator the
 // preload itself, the contact keeps 10.4 N of 20 N with 2, 3.3 N with 12.
-TEST(SlidingController, ForceDoesNotHangOnTheModesOfItsPlant) {
+TEST(SlidingController, ForceDoesNotDependOnTheModesOfItsPlant) {
   for (const int modes : {2, 6, 10}) {
     SCOPED_TRACE(modes);
     scene::Scene s = test::shipped("paper_sliding", {"run.end=0.157"});

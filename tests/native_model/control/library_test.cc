@@ -1,4 +1,4 @@
-// A controller of the user's own: found, loaded, told, refused, and ended with a word where it
+// A user's controller: finding and loading it, its measurements, refusals, and the message if it
 // fails.
 #include "native_model/control/library.h"
 #include "native_model/prepare/prepare.h"
@@ -34,7 +34,7 @@ scene::Scene read(const std::string& library, const std::string& config = "",
   return test::own_law_scene(library, config, overrides);
 }
 
-TEST(Library, TellsItsStateAndIsAskedOnceASample) {
+TEST(Library, KeepsItsStateAndIsCalledOnceASample) {
   const Model m = prepare(read("faulty_controller.so"));
   ASSERT_NE(m.first().loop, nullptr);
   EXPECT_EQ(m.first().controller->state_size(), 3u);
@@ -101,7 +101,7 @@ TEST(Library, IsRefusedWithoutASampleTimeAndConfigByOtherKinds) {
               {"controller.config", "belongs to kind = \"library\""});
 }
 
-// With every integrator the run ends at the sample that failed, also at the first one, and its
+// With every integrator the run ends at the sample that failed, also at the first one, and the
 // message has the name and the time.
 TEST(Library, AFailureEndsTheRunWithNameAndTime) {
   const std::pair<std::string, const char*> faults[] = {{"step", "the encoder is lost"},
@@ -173,7 +173,7 @@ class LibraryGate : public testing::Test {
   ~LibraryGate() override { set_scene_libraries(SceneLibraries::kAllowed); }
 };
 
-TEST_F(LibraryGate, WhatASceneNamesIsNotOpenedUnasked) {
+TEST_F(LibraryGate, LibrariesOfScenesNeedPermission) {
   for (const std::string& library :
        {std::string("current_controller.so"), (kLibraries / "current_controller.so").string(),
         "../" + kLibraries.filename().string() + "/current_controller.so"}) {
@@ -192,7 +192,7 @@ TEST_F(LibraryGate, OneFileMayBeAllowed) {
   EXPECT_NE(own_law_refusal(read("current_controller.so")), "");
 }
 
-TEST_F(LibraryGate, OrItsFolder) {
+TEST_F(LibraryGate, AFolderMayBeAllowed) {
   const Environment path("ROTORUB_CONTROLLER_PATH", "/nowhere:" + kLibraries.string() + "/");
   EXPECT_EQ(own_law_refusal(read("faulty_controller.so")), "");
   scene::Scene elsewhere = read("faulty_controller.so");
@@ -209,7 +209,7 @@ TEST_F(LibraryGate, OrItsFolder) {
   EXPECT_EQ(own_law_refusal(above), "") << "below it";
 }
 
-TEST_F(LibraryGate, WhatShowsASceneOpensNone) {
+TEST_F(LibraryGate, ShowingASceneOpensNoLibrary) {
   set_scene_libraries(SceneLibraries::kLeftOut);
   EXPECT_EQ(own_law_refusal(read("nowhere.so")), "");
 }

@@ -1,5 +1,4 @@
-// The linear laws against their closed-loop poles, as whole runs: what is released decays as they
-// say.
+// The linear laws against their closed-loop poles, in whole runs: a released ring decays with them.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -78,7 +77,7 @@ TEST(CrossCoupled, RingDecaysAsItsClosedLoopPoles) {
   ASSERT_EQ(poles.size(), 2u);
   for (const Complex& p : poles) {
     EXPECT_LT(std::abs(1.5 * p * p + Complex(30.0, 900.0) * p + 2e5), 1e-6);
-    // Released in that whirl: z = a e^{p t}.
+    // Released in that whirl, it moves as z = a e^{p t}.
     const double a = 1e-4;
     s.first().stator->position = {a, 0.0};
     s.first().stator->velocity = {a * p.real(), a * p.imag()};
@@ -91,7 +90,7 @@ TEST(CrossCoupled, RingDecaysAsItsClosedLoopPoles) {
 
 // ------------------------------------------------------------------ tracking
 
-// A ring before a rotor at rest, X, with a wanted gap that stays: M x'' + (D + damping) x' + K x =
+// A ring before a rotor at rest at X, with a constant wanted gap: M x'' + (D + damping) x' + K x =
 // stiffness (X - x).
 TEST(TrackingPd, ErrorDecaysAsItsClosedLoopPoles) {
   scene::Scene s = plain_scene();
@@ -150,7 +149,7 @@ TEST(LinearPlant, IsTheModelWithoutContact) {
   EXPECT_LT((half.a * half.b + half.b - once.b).norm(), 1e-12 * once.b.norm());
 }
 
-// Released, sampled: x_{k+1} = (A - B K) x_k, as a whole run has it.
+// After the release it moves as x_{k+1} = (A - B K) x_k, as in a whole run.
 TEST(Lqr, ARunIsItsClosedLoop) {
   scene::Scene s = quadratic_scene(scene::ControllerKind::kLqr);
   s.initial.x = {1e-4, 2e-5};
@@ -167,8 +166,8 @@ TEST(Lqr, ARunIsItsClosedLoop) {
   }
 }
 
-// A ring whose middle is off the rotor's line goes to the rotor and stays about it, held against
-// its springs.
+// A ring whose centre is off the rotor's line moves to the rotor and stays about it, against its
+// springs.
 TEST(LqrLqg, StandAboutTheRotorWhereTheRingIsOffset) {
   for (const scene::ControllerKind kind :
        {scene::ControllerKind::kLqr, scene::ControllerKind::kLqg}) {
@@ -183,7 +182,7 @@ TEST(LqrLqg, StandAboutTheRotorWhereTheRingIsOffset) {
 }
 
 // ---------------------------------------------------------------- radial tracking
-// The wanted gap: ends, smoothness, and that it never asks for a closed gap before its time.
+// The wanted gap: its ends, its smoothness, and that it is never closed before its time.
 
 constexpr double kGap = 0.5e-3, kTime = 0.008;
 const SwitchOn kAtRest{0.1, kGap, 0.0};
@@ -211,7 +210,7 @@ void expect_smooth(const SwitchOn& on, double from) {
                after = gap_reference(on, t + h, kTime);
     ASSERT_NEAR(now.rate, (after.gap - before.gap) / (2 * h), 1e-6 * speed) << t;
     ASSERT_NEAR(now.acceleration, (after.rate - before.rate) / (2 * h), 2e-3 * acceleration) << t;
-    // No jump anywhere: the third derivative is bounded by 60 g0 / T^3 and 36 rate / T^2.
+    // It never jumps: the third derivative is bounded by 60 g0 / T^3 and 36 rate / T^2.
     ASSERT_LT(std::abs(after.acceleration - before.acceleration), 330.0 * h / kTime * acceleration)
         << t;
   }
@@ -242,7 +241,7 @@ TEST(GapReference, NeverAsksForAClosedGapBeforeItsTime) {
   EXPECT_EQ(gap_reference({0.1, -1e-6, -1.0}, 0.101, kTime).gap, 0.0) << "closed already";
 }
 
-// Beyond the clearance the ring would have to be on the other side of the rotor.
+// Beyond the clearance the ring would be on the other side of the rotor.
 TEST(GapReference, NeverAsksForLessThanHalfTheDistanceAtSwitchOn) {
   for (const double distance : {0.0, 0.01, 0.1, 0.3, 0.5, 0.9}) {
     const double clearance = kGap, gap = (1.0 - distance) * clearance;

@@ -1,4 +1,4 @@
-// A user's law in Python: its command, its state, and what is said if it fails.
+// A user's law in Python: its command, its state, and the message if it fails.
 #include "native_model/control/library.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ TEST_F(PythonLawTest, CommandsWhatItsLawSays) {
   }
 }
 
-// The state begins as start() says, and every number of it survives.
+// start() sets the initial state, and every number of the state is kept.
 TEST_F(PythonLawTest, KeepsItsStateWithTheRun) {
   const std::string counts =
       "def create(setup):\n    return setup['config']\n"
@@ -86,11 +86,11 @@ TEST_F(PythonLawTest, KeepsItsStateWithTheRun) {
   const Trajectory t = test::complete(run_native(run));
   const auto &x = t.column("control_x"), &y = t.column("control_y");
   ASSERT_GT(x.size(), 18u);
-  // The sample k lies at the row k, whose command is that before or after it.
+  // Sample k coincides with row k, which has the command before or after it.
   for (std::size_t row = 2; row < x.size(); ++row) EXPECT_NEAR(x[row] - y[row], 41.0, 1e-9) << row;
 }
 
-// The two integrators sample the same states of a rotor that does not move by the law.
+// The law does not affect the rotor here, so both integrators sample the same states.
 TEST_F(PythonLawTest, ARunIsTheSameEachTime) {
   // The order of a set of texts depends on Python's seed.
   const std::string text = "names = {'alpha', 'beta', 'gamma', 'delta', 'epsilon'}\n" + kCreate +
@@ -104,8 +104,8 @@ TEST_F(PythonLawTest, ARunIsTheSameEachTime) {
   }
 }
 
-// One process runs one law after the other, and each begins alike: the file and what it imports
-// from its folder are read again, and the law before it has ended.
+// One process runs one law after the other, and each starts afresh: the file and its imports from
+// its folder are read again, after the previous law has ended.
 TEST_F(PythonLawTest, EveryRunBeginsAlikeInTheSameProcess) {
   folder_.write("gains.py", "count = 0\nbase = 10.0\n");
   const std::string text =
@@ -131,7 +131,7 @@ TEST_F(PythonLawTest, EveryRunBeginsAlikeInTheSameProcess) {
   EXPECT_EQ(said, "11.0 11.0 21.0 ");
 }
 
-// As in a comparison of many settings, whose models live to its end.
+// As in a comparison of many settings, whose models live until its end.
 TEST_F(PythonLawTest, ManyLawsAtATimeShareProcesses) {
   const std::string text = "import os\ndef create(setup):\n    return setup['config']['gain']\n" +
                            kStep + "return law, float(os.getpid())\n";
@@ -176,7 +176,7 @@ TEST_F(PythonLawTest, AnExceptionEndsTheRunWithItsTraceback) {
                      "in limited " + place(4), "`if t >= 0.002: raise ValueError('no more')`"});
 }
 
-// A failure is never a number in the results.
+// A failure never appears as a number in the results.
 TEST_F(PythonLawTest, AFailedRunHasOnlyFiniteRows) {
   const Trajectory t = run_native(
       law(kCreate + kStep + "return (float('nan') if now['sample'] == 8 else 1.0), 0.0\n"));
@@ -187,7 +187,7 @@ TEST_F(PythonLawTest, AFailedRunHasOnlyFiniteRows) {
   }
 }
 
-// The first mistakes with a law in Python: the function, the number of values, the keys.
+// Typical first mistakes with a law in Python: the function, the number of values, the keys.
 TEST_F(PythonLawTest, NamesWhatIsMissing) {
   const std::string zeros = kStep + "return 0.0, 0.0\n";
   expect_said(refusal(zeros), {"controller.library", "law.py has no function create(setup)"});

@@ -1,5 +1,5 @@
-// LQR and LQG of a ring whose rotor hangs in magnetic bearings with filters, amplifiers and sampled
-// controls: what the design promises is what a run does.
+// LQR and LQG of a ring whose rotor is held by magnetic bearings with filters, amplifiers and
+// sampled controls: the runs obey the equations of the design.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -167,8 +167,8 @@ double distance(const QuadraticDesign& d, const QuadraticDesign& old, const Eige
          old.gain.norm();
 }
 
-// An amplifier that follows at once, a control that is asked at once: the gains of old, in first
-// order. The current is then -P s - D s', the command -P s.
+// An amplifier without lag and a control without delay: the gains of the law without their states,
+// in first order. The current is then -P s - D s', the command -P s.
 TEST(QuadraticWithMagnets, FastAmplifiersAndSamplesGiveTheGainsWithoutThem) {
   const auto first_of = [](const QuadraticDesign& d, double p, double rate) {
     Eigen::MatrixXd slow = Eigen::MatrixXd::Zero(2, 2 * d.plant.half());
@@ -194,7 +194,7 @@ TEST(QuadraticWithMagnets, FastAmplifiersAndSamplesGiveTheGainsWithoutThem) {
     Hanging held = stiff;
     held.first += ", sample_time = " + std::to_string(1e6 * every) + "e-6";
     QuadraticDesign d = design_of(levitated(held, "lqg"));
-    // Only the command of its memory counts: a law without derivative and integral uses nothing
+    // Only the command of its memory counts: a law without derivative and integral needs nothing
     // else.
     d.gain = d.gain.leftCols(14).eval();
     return distance(d, asked, first_of(asked, 3000.0, 0.0));
@@ -202,7 +202,7 @@ TEST(QuadraticWithMagnets, FastAmplifiersAndSamplesGiveTheGainsWithoutThem) {
   EXPECT_NEAR(samples.order(), 1.0, 0.1) << samples.text();
 }
 
-// States behind those of rotor and ring, in the order in which they act, x before y.
+// States after those of rotor and ring, in the order in which they act, x before y.
 TEST(QuadraticWithMagnets, ThePlantNamesWhatTheBearingsRemember) {
   const scene::Scene s = levitated(test::hung_rotors()[0], "lqr");
   const LinearPlant p = plant_of(prepare(s), 0, s.rotor.speed);

@@ -1,5 +1,4 @@
-// The sliding law: the error dynamics that it promises, on a ring that a rotor on a prescribed
-// orbit is put before.
+// The sliding law: its error dynamics, on a ring before a rotor on a prescribed orbit.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,7 +40,7 @@ const SwitchOn kOn{0.1, kClearance, 0.0};
 
 // ------------------------------------------------------------------ closed loop
 
-// A rotor that swells while it whirls, r = R(t) e^{i w t}; what it does is prescribed.
+// A rotor that whirls with growing amplitude, r = R(t) e^{i w t}; its motion is prescribed.
 Measurement orbit(double t) {
   const double growth = 0.02, w = 314.0;  // m/s, rad/s
   const double radius = 0.6e-3 + growth * (t - 0.1);
@@ -59,7 +58,7 @@ class Loop {
  public:
   explicit Loop(const scene::Controller& c, const Plant& p = plant()) : law_(c, p), plant_(p) {}
 
-  // A ring on the near side of the rotor with the given gap and gap rate, and a speed sideways.
+  // A ring on the near side of the rotor with the given gap and gap rate, and a sideways speed.
   static Eigen::Vector4d ring(double t, double gap, double gap_rate) {
     const Measurement m = orbit(t);
     const double a = 314.0 * t + 0.7;
@@ -99,8 +98,8 @@ class Loop {
   Plant plant_;
 };
 
-// Within the boundary layer sdot = -k s / phi and edot = -psi e + s: two exponentials, whatever the
-// rotor does and whatever spring, damper and mass the ring has in either direction.
+// Within the boundary layer sdot = -k s / phi and edot = -psi e + s: two exponentials, for any
+// motion of the rotor and any spring, damper and mass of the ring in either direction.
 TEST(SlidingLoop, ErrorDecaysAsTheLawPromises) {
   const scene::Controller c = settings();
   Plant heavier_one_way = plant();
@@ -152,9 +151,9 @@ TEST(SlidingLoop, PreloadPressesOnceTheReferenceIsClosed) {
   c.preload = 20.0;
   const Loop loop(c);
   const Eigen::VectorXd y = loop.run(0.109, 0.13, Loop::ring(0.109, 1e-5, 0.0));
-  // Without a contact to hold it the ring goes on by P phi / (M k psi).
+  // Without a contact that holds it, the ring goes on by P phi / (M k psi).
   EXPECT_NEAR(loop.error(0.13, y).e, -20.0 * 0.03 / (1.5 * 120.0 * 1500.0), 1e-11);
-  // As the reference falls, so the preload comes: none at switch-on, half of it halfway.
+  // The preload grows as the reference falls: none at switch-on, half of it halfway.
   scene::Controller none = settings();
   const auto pressed = [&](double t) {
     Measurement m = orbit(t);
@@ -180,8 +179,7 @@ TEST(SlidingForce, CentresTogetherAskForNothing) {
 
 // ------------------------------------------------------------------
 
-// The two-phase law: each phase is the law that it is made of, and the force does not jump between
-// them.
+// The two-phase law: each phase is the law of its name, and the force does not jump between them.
 
 constexpr double kPhaseSample = 2e-5, kPhaseClearance = 5e-4;
 
@@ -204,7 +202,7 @@ Plant two_phase_plant() {
   return p;
 }
 
-// The rotor closes on the ring at 0.1 m/s, touches at t = 2 ms and comes back at half of it; the
+// The rotor approaches the ring at 0.1 m/s, touches at t = 2 ms and returns at half the speed; the
 // ring moves.
 Measurement at(int k) {
   const double t = k * kPhaseSample, touch = 0.002;

@@ -1,5 +1,5 @@
-// Along the ring: orbits as wide as the clearance, to the last digit, whose contact has no force or
-// next to none; and a swing whose slip turns round.
+// Motions along the ring: orbits as wide as the clearance, to the last digit, with little or no
+// contact force; and a swing whose slip reverses.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 using test::make_scene;
 
-// most: events that may be; a few at the start where the orbit is stable.
+// most: the allowed number of events; there are a few at the start of a stable orbit.
 void expect_orbit(const scene::Scene& scene, std::size_t most = 5) {
   const Trajectory t = test::run_event(scene);
   EXPECT_EQ(t.end, scene.run.end);
@@ -37,7 +37,7 @@ TEST(Orbit, AFreeMassAlongTheRing) {
   }
 }
 
-// Held by a spring alone: the ring is touched and carries nothing.
+// Only a spring holds the rotor: it touches the ring without a force.
 TEST(Orbit, OfASpringAsWideAsTheClearance) {
   for (const double stiffness : {2e5, 3e5, 1.7e4}) {
     SCOPED_TRACE(stiffness);
@@ -65,14 +65,14 @@ TEST(Orbit, OfARotatingForceAsWideAsTheClearance) {
       scene.initial.x = {delta};
       scene.initial.vy = {delta * frequency};
       scene.run.end = 0.2;
-      // Held against a force that points inward the orbit is not stable: what round-off there is
-      // grows, and the rotor parts and comes back.
+      // Against a force that points inward the orbit is not stable: round-off grows, and the rotor
+      // leaves and returns.
       expect_orbit(scene, 1000);
     }
   }
 }
 
-// Pressed on the ring by exactly what its spring takes: nothing is left for the ring.
+// The load equals the force of the rotor's spring on the ring, so the ring carries nothing.
 TEST(Orbit, AtRestOnTheRingWithoutForce) {
   for (const double load : {30.0, 70.0, 100.0 / 3.0}) {
     SCOPED_TRACE(load);

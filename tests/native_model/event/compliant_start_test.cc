@@ -1,9 +1,8 @@
-// Starts in a compliant contact: one that begins closed is loaded and not struck, so that its
-// damping by the restitution, which belongs to the speed of a touch, is 0.
+// Starts in a compliant contact. One that begins closed is loaded and not struck, so that its
+// damping, which follows from the restitution and the speed of a touch, is 0.
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
@@ -17,7 +16,7 @@ constexpr double kBody = 2.0, kWall = 2e7, kRing = 0.5e-3;  // kg, N/m, m
 constexpr double kStartStep = 1e-6;                         // s
 constexpr Integrator kStarters[] = {Integrator::kEvent, Integrator::kVerlet};
 
-// Share of the answer that a step may miss: sqrt(k/m) step = 3e-3.
+// Relative error that a step may cause: sqrt(k/m) step = 3e-3.
 double missed(Integrator engine) { return engine == Integrator::kEvent ? 1e-9 : 1e-4; }
 
 // At a depth (m), in a direction (rad), at a speed outward (m/s).
@@ -33,7 +32,7 @@ scene::Scene starting(double depth, double angle, double speed) {
   return s;
 }
 
-// It leaves with all of its energy: v^2 = v_0^2 + k p_0^2 / m, 0.05244 m/s.
+// It leaves with all its energy: v^2 = v_0^2 + k p_0^2 / m, 0.05244 m/s.
 TEST(CompliantStart, InTheWallItKeepsItsEnergy) {
   const double depth = 5e-6, speed = 0.05;
   const double leaves = std::sqrt(speed * speed + kWall / kBody * depth * depth);
@@ -64,7 +63,7 @@ TEST(CompliantStart, OnTheCircleAtRestItIsLoaded) {
   }
 }
 
-// One that closes on the circle touches with its speed, and rebounds by the restitution.
+// A contact that closes on the circle has the speed of a touch, and rebounds with the restitution.
 TEST(CompliantStart, OnTheCircleAtASpeedItIsStruck) {
   for (const Integrator engine : kStarters) {
     const Trajectory t = test::run_with(starting(0.0, 0.7, 0.3), engine, kStartStep);

@@ -1,4 +1,4 @@
-// Contacts that give, by `event`, against closed forms and a program written from the equations.
+// Compliant contacts by `event`, against closed forms and a program written from the equations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ scene::Scene thrown(const Jeffcott& rotor, const Compliance& compliance, double 
   scene::Scene s = make_scene(rotor);
   s.first().contact->compliance = compliance;
   s.initial.vx = {speed};
-  // One touch: not yet back at the other side.
+  // One touch, before the rotor reaches the other side.
   const double e = std::max(s.first().contact->restitution, 0.01);
   s.run.end = rotor.clearance / speed * (1.0 + 1.9 / e);
   return s;
@@ -57,7 +57,7 @@ TEST(CompliantContact, TheUndampedSpringsPeakAndTime) {
     EXPECT_NEAR(t.impacts[0].gap_rate_after, v, 1e-10);
     EXPECT_LT(t.statistics.energy_residual(), 1e-10);
   }
-  // The figures that textbooks give.
+  // Figures from textbooks.
   const Undamped line = undamped(2.0, 1e7, 1.0, 0.3), hertz = undamped(2.0, 1e9, 1.5, 0.3);
   EXPECT_NEAR(line.time, std::numbers::pi * std::sqrt(2.0 / 1e7), 1e-15);
   EXPECT_NEAR(line.force, 0.3 * std::sqrt(1e7 * 2.0), 1e-10);
@@ -127,7 +127,7 @@ TEST(CompliantContact, TheSynchronousRubOnASpring) {
   EXPECT_LT(t.statistics.energy_residual(), 1e-10);
 }
 
-// A free rotor with a spin of its own, against a program of the test's: slides, sticks, lets go.
+// A free rotor with its own spin, against a program in this test: it slides, sticks and separates.
 TEST(CompliantContact, SlipThatStopsWithinATouch) {
   for (const double turned : {0.0, 0.7, 2.5}) {
     for (const double n : {1.0, 1.5}) {
@@ -162,7 +162,7 @@ TEST(CompliantContact, SlipThatStopsWithinATouch) {
   }
 }
 
-// The wall lets go before it is left: N = k p + c p' reaches 0 inside.
+// The contact ends before the wall is left, because N = k p + c p' reaches 0 inside.
 TEST(CompliantContact, ASpringAndADamperLetGoInTheWall) {
   const double m = 2.0, k = 1e7, v = 0.3;
   const double zeta = 0.4, c = 2.0 * zeta * std::sqrt(k * m);
@@ -182,7 +182,7 @@ TEST(CompliantContact, ASpringAndADamperLetGoInTheWall) {
   EXPECT_GT(t.statistics.peak_force, c * v);  // it begins with the damper's force
 }
 
-// With little damping it lets go a hair before the wall is left, in less time than a step takes.
+// With little damping the contact ends just before the wall is left, in less time than a step.
 TEST(CompliantContact, ALightDamperLetsGoNextToTheSurface) {
   const double m = 2.0, v = 0.3;
   for (const double k : {1e6, 1e7, 1e8, 1e9}) {
@@ -204,7 +204,7 @@ TEST(CompliantContact, ALightDamperLetsGoNextToTheSurface) {
   }
 }
 
-// What a catcher has to bear is the force of its own contact, not that of both.
+// The load of a catcher bearing is the force of its own contact, not the sum of both.
 TEST(CompliantContact, ThePeakIsOfOneContact) {
   const scene::Scene s = test::shipped("two_catchers", {"run.end=0.02", "run.output_step=1e-5",
                                                         "contact[0].compliance.stiffness=1e8",
@@ -292,8 +292,8 @@ TEST(CompliantContact, TendsToTheRigidLaw) {
   }
 }
 
-// Lasting contact is that of any contact, in `event` as in fixed steps: a short touch of one beside
-// the rub of another takes nothing away from it.
+// Lasting contact is lasting contact of any contact, in `event` and in fixed steps: a short touch
+// of one during the rub of another does not interrupt it.
 TEST(CompliantContact, LastingContactIsOfAnyContact) {
   const scene::Scene s = test::shipped(
       "two_catchers", {"run.end=0.05", "run.output_step=1e-3", "contact.compliance.stiffness=3e7"});
@@ -304,7 +304,7 @@ TEST(CompliantContact, LastingContactIsOfAnyContact) {
   EXPECT_NEAR(lasting(scene::Integrator::kEvent), lasting(scene::Integrator::kVerlet), 5e-4);
 }
 
-// A shaft that does not turn has no speed but its slip: where that comes to rest it sticks.
+// A shaft that does not turn has no speed but its slip, so it sticks when that comes to rest.
 TEST(CompliantContact, SlipComesToRestOnAShaftThatDoesNotTurn) {
   for (const char* law : {"{stiffness=1.6e6,damping=0.22}", "{stiffness=1.6e6,hunt_crossley=0.5}",
                           "{stiffness=1.6e6}"}) {

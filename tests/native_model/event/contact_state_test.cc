@@ -61,7 +61,7 @@ TEST(ContactState, RoundOffOfEitherSignIsContactWithoutForce) {
   EXPECT_EQ(select(0.0, 0.0, 0.1, 0.0).next.mode, Mode::kFree) << "nothing acts at all";
 }
 
-TEST(ContactState, JammingIsSaid) {
+TEST(ContactState, ReportsJamming) {
   // mu G_NT > G_NN for positive slip.
   const Delassus jams{1.0, 3.0, 3.0, 10.0};
   const Decision pressed = select(-1.0, 0.0, 0.1, 0.0, jams);

@@ -21,7 +21,7 @@ namespace {
 constexpr double kMass = 2.0, kInertia = 2e-3, kLoad = 40.0;  // kg, kg m^2, N
 constexpr double kRadius = 0.05, kClearance = 0.5e-3;         // m
 
-// Written out here: no law of the product.
+// Written out here without the product's law.
 double mu(double v) {
   v = std::abs(v);
   return 0.15 + 0.12 * std::exp(-(v / 0.3) * (v / 0.3)) + 0.03 * v;
@@ -75,7 +75,7 @@ TEST(FallingFriction, SpinsDownAsItsOwnEquationsSay) {
   }
 }
 
-// Steps of the middle's mu are of second order, those of the end's of first.
+// Steps with mu of the middle are of second order, those with mu of the end of first.
 TEST(FallingFriction, EachSchemeKeepsItsOrder) {
   const scene::Scene s = spinning_down(40.0);
   const Trajectory reference = test::run_event(s);
@@ -91,8 +91,8 @@ TEST(FallingFriction, EachSchemeKeepsItsOrder) {
   }
 }
 
-// Held still, under a load W down and one that grows across: it slides when that reaches
-// mu(0) W, to the instant.
+// At rest under a load W down and a growing load across, it slides when that reaches mu(0) W, at
+// the exact instant.
 TEST(FallingFriction, SticksUpToStatic) {
   for (const double sense : {1.0, -1.0}) {
     scene::Scene s = test::make_scene({.mass = kMass});
@@ -115,7 +115,7 @@ TEST(FallingFriction, SticksUpToStatic) {
   }
 }
 
-// Swinging on the bottom, the slip turns with mu(0) on either side.
+// While it swings on the bottom, the slip reverses with mu(0) on either side.
 TEST(FallingFriction, ReversesInEveryScheme) {
   scene::Scene s = test::make_scene({.mass = kMass});
   s.first().contact->friction = law();
@@ -141,7 +141,7 @@ TEST(FallingFriction, ReversesInEveryScheme) {
   }
 }
 
-// A Stribeck speed far below every slip is friction that jumps: it takes steps, and no harm.
+// A Stribeck speed far below every slip makes friction jump: it costs steps, and does no harm.
 TEST(FallingFriction, ATinyStribeckSpeedIsNoHarm) {
   for (const double stribeck : {1e-3, 1e-6, 1e-12}) {
     scene::Scene s = spinning_down(4.0);

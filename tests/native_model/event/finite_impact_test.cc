@@ -1,5 +1,5 @@
-// Impacts that take compression and expansion times: the balance of the energy, and what the rows
-// within them show.
+// Impacts with compression and expansion times: the balance of the energy, and the rows within
+// them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ scene::Scene with_times(scene::Scene scene, double tau_c = kTauC, double tau_e =
   return scene;
 }
 
-// Springs, dampers, a load and friction, all at work during the impact.
+// Springs, dampers, a load and friction, which all do work during the impact.
 scene::Scene loaded() {
   scene::Scene scene = make_scene({.mass = 2.0,
                                    .damping = 10.0,
@@ -51,7 +51,7 @@ TEST(FiniteImpact, TheBalanceClosesUnderLoad) {
   }
 }
 
-// A scene made by hand may give the time to any of several contacts.
+// A scene made by hand may set the time of any of several contacts.
 TEST(FiniteImpact, IsRefusedAtAnyContactByAnIntegratorWithoutIt) {
   for (const std::size_t k : {0u, 1u}) {
     scene::Scene scene = test::shaft_in_two_rings(2.0, 2.0, 1.0);
@@ -63,7 +63,8 @@ TEST(FiniteImpact, IsRefusedAtAnyContactByAnIntegratorWithoutIt) {
   }
 }
 
-// Without loads both phases are known by hand: compression stops the mass, expansion sends it back.
+// Without loads both phases have closed forms: compression stops the mass, expansion throws it
+// back.
 TEST(FiniteImpact, RowsWithinShowThePhases) {
   const double v = 0.3, eps = 0.5, mass = 2.0, delta = 0.5e-3, touch = delta / v;
   scene::Scene scene =
@@ -88,7 +89,7 @@ TEST(FiniteImpact, RowsWithinShowThePhases) {
   EXPECT_NEAR(t.statistics.contact_time, kTauC + kTauE, 1e-15) << "there was a normal force";
 }
 
-// The end of the run within an impact: the state of that time, the share of the impulse so far.
+// The run ends within an impact: the state of that time, and the part of the impulse so far.
 TEST(FiniteImpact, MayOutlastTheRun) {
   const double v = 0.3, eps = 0.5, mass = 2.0, delta = 0.5e-3, touch = delta / v;
   scene::Scene scene =
@@ -113,7 +114,7 @@ TEST(FiniteImpact, MayOutlastTheRun) {
   }
 }
 
-// The mark on the shaft passes the probe during a phase of the impact, a quarter of the phase in.
+// The mark on the shaft passes the probe during a phase of the impact, after a quarter of it.
 TEST(FiniteImpact, TheMarkPassesWithinIt) {
   const double v = 0.3, eps = 0.5, delta = 0.5e-3, touch = delta / v;
   struct Case {
@@ -135,8 +136,8 @@ TEST(FiniteImpact, TheMarkPassesWithinIt) {
   }
 }
 
-// A force that ends within an impact acts on to the impact's end and no further: (16) holds the
-// loads. The rows go on, and the balance closes.
+// A force that ends within an impact acts until the impact's end: (16) holds the loads. The rows
+// continue, and the balance closes.
 TEST(FiniteImpact, PassesABreak) {
   scene::Scene scene = with_times(loaded());
   const Trajectory without = test::run_event(scene);
@@ -189,7 +190,7 @@ TEST(FiniteImpact, ALoadedContactComesToRest) {
 
 constexpr double kBalance = 1e-10;
 
-// From rest, pushed, and back to rest: next to nothing is left at either end.
+// From rest, pushed, and back to rest: at both ends the energy is almost 0.
 TEST(EnergyScale, IsThatOfThePushThatIsOver) {
   scene::Scene scene =
       test::make_scene({.mass = 2.0, .damping = 400.0, .stiffness = 2e5, .clearance = 1.0});
@@ -202,7 +203,7 @@ TEST(EnergyScale, IsThatOfThePushThatIsOver) {
   EXPECT_LT(t.statistics.energy_residual(), kBalance);
 }
 
-// The impact of the very first instant belongs to the run.
+// An impact at the first instant belongs to the run.
 TEST(EnergyScale, TheImpactOfTheStartIsBooked) {
   for (const double tau : {0.0, 1e-4}) {
     SCOPED_TRACE(tau);

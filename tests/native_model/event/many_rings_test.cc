@@ -1,5 +1,5 @@
-// Three and more rigid rings, which may hold each other closed: a contact that carries nothing and
-// is yet kept on its circle is no event, whatever the order of the list.
+// Three and more rigid rings, which may hold each other closed: a contact without a force that is
+// still kept on its circle causes no events, in any order of the list.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

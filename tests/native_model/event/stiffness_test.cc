@@ -1,5 +1,4 @@
-// A run that its explicit steps would take for ever ends with what holds them up; a short one goes
-// on.
+// A run that would take explicit steps for ever ends with the reason; a short one continues.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -29,7 +28,7 @@ TEST(Stiffness, IsToldWithThePartThatHoldsTheStepsUp) {
   }
 }
 
-// Rates of 1e6 /s and 2.6e5 /s: 1e5 steps, of which it is right to take every one.
+// Rates of 1e6 /s and 2.6e5 /s: 1e5 steps, all of which are necessary.
 TEST(Stiffness, OfAShortRunIsNoReasonToStop) {
   for (const char* part : {"stator.spin={inertia=1e-6,drag=1.0}", "stator.mass=1e-3"}) {
     const scene::Scene scene = shipped("bench_ring", {part, "run.end=0.05"});
@@ -79,8 +78,8 @@ TEST(Stiffness, OfALightRingInACompliantContactIsTold) {
   }
 }
 
-// In a contact of 1e15 N/m the depth is 1e-13 m, of which round-off leaves six digits: 6 million
-// steps were taken for 8 ms of contact.
+// In a contact of 1e15 N/m the depth is 1e-13 m, of which round-off leaves six digits: 8 ms of
+// contact took 6 million steps.
 TEST(Stiffness, OfAHardContactDoesNotResolveRoundOff) {
   const Trajectory t = run_event(pressed("1e15", "0.5", 0.013));
   EXPECT_LT(t.steps, 60000);
@@ -88,7 +87,7 @@ TEST(Stiffness, OfAHardContactDoesNotResolveRoundOff) {
 }
 
 // Nothing ends the bouncing of an elastic contact. One that a fast mode pressed bounced within
-// 1e-10 s, and its run filled the memory with impacts.
+// 1e-10 s, and its impacts filled the memory.
 TEST(Stiffness, OfBouncesWithoutEndIsTold) {
   scene::Scene s = test::make_scene({.mass = 2.0, .stiffness = 2e5, .restitution = 1.0});
   s.run.end = 1e4;

@@ -1,5 +1,5 @@
 // Compliant contact and a moving base, by `event`, against an independent program
-// (oracles/still_machine.h). native_model/docs/evidence.md gives the agreement that is held here.
+// (oracles/still_machine.h). native_model/docs/evidence.md gives the agreement that is tested here.
 #include "tests/support/oracles/still_machine.h"
 
 #include <gtest/gtest.h>
@@ -42,8 +42,8 @@ scene::Scene scene_of(const StillMachine& machine) {
   return s;
 }
 
-// The largest difference at the end of a run by `event` with this tolerance: of a place as a share
-// of the clearance, of a velocity as a share of the one at the start.
+// The largest difference at the end of a run by `event` with this tolerance: of positions relative
+// to the clearance, of velocities relative to the one at the start.
 double difference(const scene::Scene& scene, double tolerance, const StillMachine& machine,
                   const Motion& exact) {
   NativeOptions options;
@@ -61,7 +61,7 @@ double difference(const scene::Scene& scene, double tolerance, const StillMachin
                    std::abs(last("stator_vx", "stator_vy") - exact.ring_rate) / speed});
 }
 
-// Of one touch and of five, of exponents for which p^n is smooth and for which it is not.
+// One touch and five, with exponents for which p^n is smooth and for which it is not.
 TEST(StillMachine, TouchesOfEveryExponentAndRestitution) {
   double by = 0.0, finer = 0.0;
   for (const double n : {1.0, 1.25, 1.5, 2.0}) {
@@ -124,7 +124,7 @@ class Shaken {
   struct Line {
     double frequency, amplitude, phase;
   };
-  // Integrals as if it acted at all times.
+  // The integrals if it acted all the time.
   oracle::BaseMotion whole(double t) const {
     oracle::BaseMotion sum{};
     for (const Line& l : lines_) {

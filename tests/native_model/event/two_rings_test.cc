@@ -1,5 +1,5 @@
-// Two auxiliary bearings against a second program (two_rings/README.md), and against what several
-// contacts have in closed form.
+// Two auxiliary bearings against a second program (two_rings/README.md), and against closed forms
+// for several contacts.
 
 #include <gtest/gtest.h>
 

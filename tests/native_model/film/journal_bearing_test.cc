@@ -45,7 +45,7 @@ TEST(JournalBearing, FriswellsShortBearing) {
   EXPECT_NEAR(p.coefficients[5] / p.coefficients[6], 1.0, 1e-12);
 }
 
-// With length / diameter = 0.3 the whole equation gives 2 to 8 % less.
+// With length / diameter = 0.3 the full equation gives 2 to 8 % less.
 TEST(JournalBearing, FriswellsBearingOfFiniteLength) {
   const FilmPoint finite = point_at(friswell_bearing(FilmTheory::kFinite), kSpeed),
                   brief = point_at(friswell_bearing(), kSpeed);
@@ -85,7 +85,7 @@ TEST(JournalBearing, StiffnessIsTheChangeOfTheLoad) {
   }
 }
 
-// A turned load turns the matrices, the other sense of rotation mirrors them.
+// A turned load turns the matrices; the other sense of rotation mirrors them.
 TEST(JournalBearing, TurnsAndMirrors) {
   const FilmPoint down = film_point(friswell_bearing(), 0.5);
   JournalBearing right = friswell_bearing();

@@ -1,5 +1,5 @@
-// Runs that explode, or whose step cannot work, end with a status and a reason, what there is kept;
-// damping of any size is no reason.
+// Runs that explode, or whose step cannot work, end with a status and a reason, and keep their
+// results; strong damping does not end a run.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -101,7 +101,7 @@ TEST(HardExploded, ABalanceThatDoesNotCloseEndsNoRun) {
   }
 }
 
-// A rotor that no ring stops and that nothing holds is gone, and the run says so.
+// A rotor that nothing holds or stops leaves its machine, and the run reports it.
 TEST(HardExploded, ARotorThatNothingHoldsLeaves) {
   const scene::Scene scene = scene::parse_scene(
       "[run]\nend = 3.0\nstep = 1e-3\n[rotor]\nspeed = 0.0\n[rotor.modal]\nmass = [2.0]\n"

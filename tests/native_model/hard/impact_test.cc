@@ -1,4 +1,4 @@
-// Many impacts, barely an impact, and impacts that take their time.
+// Many impacts, grazing impacts, and impacts that take time.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,8 @@ int rebounds(const Trajectory& t) {
       std::count_if(t.impacts.begin(), t.impacts.end(), [](const Impact& i) { return counts(i); }));
 }
 
-// Infinitely many impacts in finite time: closed at the time of the geometric series, at any eps.
+// Infinitely many impacts in finite time: contact closes at the time of the geometric series, for
+// any eps.
 TEST(HardZeno, ClosesAtTheExactTime) {
   for (const double eps : {0.5, 0.9, 0.99}) {
     SCOPED_TRACE(eps);
@@ -33,15 +34,15 @@ TEST(HardZeno, ClosesAtTheExactTime) {
 
     const double step = 1e-5;
     const Trajectory p = test::sound_verlet(scene, step, 0.11);
-    // A rebound is up to a step late, which draws the end out; by now the bounces are all but over.
+    // Each rebound is up to a step late, which delays the end; by now the bounces are almost over.
     EXPECT_LT(p.column("gap").back(), 0.03 * 0.5e-3);
     EXPECT_LT(std::abs(p.column("rotor_vy").back()), 0.1 * std::sqrt(2.0 * 9.81 * 0.5e-3));
     EXPECT_GT(rebounds(p), 3);
   }
 }
 
-// A path that only just touches the circle, from one side of it to the other: a straight flight at
-// a distance of delta_0 (1 + x) from the centre.
+// A path that barely touches the circle, from outside or inside: a straight flight at a distance of
+// delta_0 (1 + x) from the centre.
 TEST(HardGrazing, NothingIsMissedAndNothingInvented) {
   const double clearance = 0.5e-3;
   for (const double x : {-1e-3, -1e-6, -1e-9, -1e-12, 0.0, 1e-12, 1e-9, 1e-6, 1e-3}) {
@@ -63,7 +64,7 @@ TEST(HardGrazing, NothingIsMissedAndNothingInvented) {
   }
 }
 
-// Tangent to the circle at speed: the chord's ends come together.
+// Tangent to the circle at speed: the ends of the chord coincide.
 TEST(HardGrazing, AlongTheRing) {
   for (const double angle : {1e-2, 1e-4, 1e-6}) {
     SCOPED_TRACE(angle);
@@ -81,7 +82,7 @@ TEST(HardGrazing, AlongTheRing) {
   }
 }
 
-// The centres coincide: no normal, and none may be asked for.
+// The centres coincide, so the normal is undefined and must not be needed.
 TEST(HardCentre, AtRestAndPushedThroughIt) {
   for (const double speed : {0.0, 0.3}) {
     for (const bool ring : {false, true}) {
@@ -103,7 +104,7 @@ TEST(HardCentre, AtRestAndPushedThroughIt) {
   }
 }
 
-// The lab's clearance may be next to nothing too.
+// The clearance of the test rig may also be nearly 0.
 TEST(HardCentre, NextToNoClearance) {
   for (const double clearance : {1e-6, 1e-8}) {
     SCOPED_TRACE(clearance);
@@ -123,8 +124,8 @@ TEST(HardCentre, NextToNoClearance) {
   }
 }
 
-// Finite compression and expansion times: the clock goes on by them, the path tends to that of the
-// instantaneous law, in both integrators alike.
+// Finite compression and expansion times: the time advances by them, and the path tends to that of
+// the instantaneous law, in both integrators.
 TEST(HardFiniteImpact, AdvancesTheClockAndTendsToTheInstantaneousLaw) {
   const auto scene_of = [](double tau) {
     scene::Scene scene = make_scene({.mass = 2.0,
@@ -157,13 +158,13 @@ TEST(HardFiniteImpact, AdvancesTheClockAndTendsToTheInstantaneousLaw) {
     EXPECT_LT(error, 0.2 * last_event) << "first order in tau";
     EXPECT_LT(error, 2.0 * tau) << "a flight of some m/s over tau";
     last_event = error;
-    // A fixed step that took it as an impact of a step would tend to another model.
+    // A fixed step that treated it as an impact within the step would tend to another model.
     EXPECT_THROW(test::run_with(scene, scene::Integrator::kEuler, 1e-6), scene::SceneError);
   }
 }
 
-// The loads work on during the impact, even through an accumulation: the balance closes at any
-// length of it.
+// The loads do work during the impact, even through an accumulation: the balance closes for any
+// duration.
 TEST(HardFiniteImpact, TheBalanceCloses) {
   for (const double tau : {1e-4, 1e-5, 1e-6, 1e-7}) {
     SCOPED_TRACE(tau);
@@ -176,8 +177,8 @@ TEST(HardFiniteImpact, TheBalanceCloses) {
   }
 }
 
-// An impact may pass the instant of a sample; the controller goes on sampling, and the run ends at
-// its end.
+// An impact may cover the instant of a sample; the controller continues to sample, and the run
+// reaches its end.
 TEST(HardFiniteImpact, PassesASampleAndNotTheEnd) {
   scene::Scene scene = test::shipped("bench_ring");
   scene.first().actuator = scene::Actuator{.force_limit = 100.0};

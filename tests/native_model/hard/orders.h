@@ -1,4 +1,4 @@
-// The order of a fixed-step scheme by its errors against `event` over a ladder of steps; what
+// The order of a fixed-step scheme from its errors against `event` over several steps; and what the
 // schemes refuse.
 #pragma once
 
@@ -37,21 +37,20 @@ inline std::vector<double> steps() {
 }
 
 // ---------------------------------------------------------------- what is refused
-// A part, or a pair, that a scheme refuses, with the words that its message must hold. Empty: none
-// is.
+// A part, or a pair, that a scheme refuses, with words of the message. Empty: none is refused.
 struct Refusal {
   Integrator integrator;
   const char* part;
   const char* with;  // null: with anything
   const char* message;
 };
-// A sample of a controller that falls into an impact: loads and command are held over it.
+// A sample of a controller falls into an impact, over which loads and command are held.
 inline constexpr const char* kSampled = "under a sampled controller need the integrator event";
 inline constexpr std::array<Refusal, 2> kRefused{
     {{Integrator::kVerlet, "finite_impacts", "sampled_support", kSampled},
      {Integrator::kVerlet, "finite_impacts", "sampled_magnets", kSampled}}};
 
-// Where a scheme was measured short of that; the bound is set from what was measured.
+// Schemes whose measured order is lower; the bound follows from the measurement.
 struct Kink {
   Integrator integrator;
   const char *one, *other;
@@ -104,7 +103,7 @@ inline Convergence converge(const scene::Scene& scene, Integrator integrator,
   return c;
 }
 
-// A line for each scene; the whole table is shown where one falls short.
+// One line for each scene; the whole table is printed if one has too low an order.
 struct Table {
   std::string text;
   bool short_of_order = false;

@@ -96,8 +96,8 @@ TEST(LongTriple, GyroscopicsUnbalanceAndFreeSpinInTheRing) {
   expect_second_order(scene);
 }
 
-// Where spin and bending share a mass matrix that turns, with every other part; slow enough for an
-// eccentricity that couples them tightly.
+// Spin and bending share a mass matrix that turns, with every other part; slow enough for an
+// eccentricity that couples them strongly.
 std::vector<Pair> coupled(const std::string& drive) {
   Part unbalance, driven;
   std::vector<Pair> out;
@@ -123,11 +123,10 @@ TEST(LongTriple, UnbalanceOnAMotor) {
 }
 
 // ---------------------------------------------------------------- features of the contact
-// What a contact can do (rebound, stick, lift off, reverse), by the fixed-step schemes against
-// `event`.
+// Rebound, stick, separation and reversal of a contact, by the fixed-step schemes against `event`.
 
-// Overrides of the modal base (tests/support/pair_parts.h), each with a predicate on the reference
-// that says that it was done.
+// Overrides of the modal base (tests/support/pair_parts.h), each with a condition that the
+// reference run must meet.
 struct ContactFeature {
   std::string name;
   std::vector<std::string> overrides;  // of the modal form
@@ -162,7 +161,7 @@ std::vector<ContactFeature> contact_features() {
        [](const Trajectory& t) { return t.impacts.size() > 2; }},
       {"tangential_restitution",
        {"contact.tangential_restitution=0.7", "contact.friction=0.9", "rotor.speed=4.0"},
-       // Some impact threw the slip back.
+       // Some impact reversed the slip.
        [](const Trajectory& t) {
          for (const Impact& i : t.impacts) {
            if (counts(i) && i.slip_before * i.slip_after < 0.0) return true;
@@ -193,7 +192,7 @@ class LongFeature : public ::testing::TestWithParam<std::string> {
     }
     return {};
   }
-  // Alone, and with the parts that reach into a contact.
+  // Alone, and with the parts that affect a contact.
   static std::vector<scene::Scene> scenes() {
     std::vector<scene::Scene> out;
     out.push_back(scene_of(Form::kModal, {}, feature().overrides));
@@ -218,8 +217,8 @@ class LongFeature : public ::testing::TestWithParam<std::string> {
 };
 
 TEST_P(LongFeature, VerletIsOfSecondOrder) {
-  // The force jumps within the step of a reversal, and of the first sticking, which is found to the
-  // share of a step.
+  // The force jumps within the step of a reversal, and of the first sticking, which is located
+  // within the step.
   const bool jumps = std::string(GetParam()) == "reversal" || std::string(GetParam()) == "sticking";
   expect_order(Integrator::kVerlet, jumps ? 1.5 : kVerletOrder);
 }

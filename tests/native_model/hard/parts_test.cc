@@ -1,5 +1,5 @@
-// Each part of a machine at its hard end: torsion, a magnetic bearing past the shaft's stiffness,
-// contact that pushes itself in.
+// Each part of a machine in a hard case: torsion, a magnetic bearing beyond the shaft's stiffness,
+// a contact that jams.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ bool has_mode(const Trajectory& t, Mode mode) {
   return false;
 }
 
-// The shaft winds up between the motor and a contact that sticks, slips and sticks.
+// The shaft twists between the motor and a contact that alternates between stick and slip.
 TEST(HardParts, TorsionInSticking) {
   for (const bool driven : {false, true}) {
     scene::Scene scene = make_scene({.mass = 2.0,
@@ -48,7 +48,7 @@ TEST(HardParts, TorsionInSticking) {
   }
 }
 
-// Past the shaft's stiffness the centre is a saddle, and the ring is what holds the rotor.
+// Beyond the shaft's stiffness the centre is a saddle, and the ring holds the rotor.
 TEST(HardParts, MagneticBearingPastTheStiffness) {
   for (const double part : {0.5, 0.999, 1.5}) {
     SCOPED_TRACE(part);

@@ -17,7 +17,7 @@
 namespace rotorub {
 namespace {
 
-// The libraries that are opened here are the tests' own.
+// The tests open only their own libraries.
 [[maybe_unused]] const bool promises_trusts = (set_scene_libraries(SceneLibraries::kAllowed), true);
 
 struct Figures {
@@ -74,7 +74,7 @@ TEST(LongPromises, SampledSlidingIsSoft) {
   }
 }
 
-// As late as it may be, and what is refused beyond: 1/w_c = 178.5 us.
+// The largest delay, and the refusal beyond it: 1/w_c = 178.5 us.
 TEST(LongPromises, TheSampleTimeThatIsNeededIsTold) {
   expect_soft(figures("paper_sliding", {"controller.sample_time=300us", "controller.preload=30"}),
               2.0);
@@ -85,7 +85,7 @@ TEST(LongPromises, TheSampleTimeThatIsNeededIsTold) {
       {"controller.sample_time", "set at most 0.00035"}));
 }
 
-// The paper's thesis: the earlier it is switched on before the touch (107 ms), the smaller the
+// The paper's claim: the earlier the law is switched on before the touch (107 ms), the smaller the
 // largest impact.
 TEST(LongPromises, LeadTimeIsWhatSoftensTheTouch) {
   double last = 0.0;
@@ -98,7 +98,7 @@ TEST(LongPromises, LeadTimeIsWhatSoftensTheTouch) {
   EXPECT_NEAR(last, passive().peak, 0.05 * passive().peak) << "too late for the first impacts";
 }
 
-// Positions alone, rounded and late: the law of the example (examples/own_controller.c).
+// From rounded and delayed positions alone: the law of the example (examples/own_controller.c).
 TEST(LongPromises, AControllerOfOnesOwnFromPositionsAlone) {
   const Figures f = figures("examples/own_controller", {std::string("controller.library=") +
                                                         ROTORUB_LIBRARIES + "/own_controller.so"});
@@ -109,8 +109,8 @@ TEST(LongPromises, AControllerOfOnesOwnFromPositionsAlone) {
   EXPECT_LT(f.open_until, 0.12);
 }
 
-// The quadratic laws keep the ring about the rotor, which is another way out: nothing touches. What
-// it takes is force: the ring is carried on the whole orbit.
+// The quadratic laws keep the ring about the rotor, which is another solution: there is no contact.
+// It costs force, because the ring is carried on the whole orbit.
 TEST(LongPromises, QuadraticLawsAvoidTheRub) {
   for (const char* kind : {"lqr", "lqg"}) {
     SCOPED_TRACE(kind);
@@ -159,7 +159,7 @@ TEST(LongPromises, TheTwoPhaseLawIsSoftAndHoldsTheOrbit) {
   EXPECT_NEAR(f.force, cross.force, 0.1 * cross.force);
 }
 
-// Magnets that are told nothing pull by their bias; `passive` balances that, and is the mechanical
+// Magnets without a command pull by their bias; `passive` balances that, and equals the mechanical
 // bearing.
 TEST(LongPromises, MagnetsAsAPassiveBearingAreOne) {
   const auto run = [](const std::string& name) {

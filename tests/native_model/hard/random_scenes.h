@@ -1,4 +1,5 @@
-// Random machines: every part present or not, every number within what a user may write.
+// Random machines: every part is present or not, and every number is within the range that users
+// may write.
 #pragma once
 
 #include <cmath>
@@ -105,7 +106,7 @@ class RandomScenes {
     controller.kind =
         chance(0.7) ? scene::ControllerKind::kSliding : scene::ControllerKind::kPassive;
     controller.on = chance(0.5) ? 0.0 : between(0.0, 0.01);
-    // A sliding law refuses to be later (control/radial_tracking.h).
+    // A sliding law refuses a larger delay (control/radial_tracking.h).
     const bool slides = controller.kind == scene::ControllerKind::kSliding;
     if (chance(0.5)) controller.sample_time = decade(5e-5, slides ? 3e-4 : 1e-3);
     controller.stiffness = between(0.0, 1e5);

@@ -1,4 +1,5 @@
-// Whatever a user may write: always finite, or a status with its reason; the laws on every row.
+// Whatever users write, results are finite, or a status has a reason; and the laws hold in every
+// row.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -110,8 +111,8 @@ void expect_event_settles(int scenes) {
     const scene::Scene s = shafts.next();
     const Trajectory t = test::attempt_event(s);
     SCOPED_TRACE("scene " + std::to_string(k));
-    // Some walls are too soft for what presses, and some elastic contacts bounce without end; the
-    // run says so.
+    // Some walls are too soft for the load, and some elastic contacts bounce without end; the run
+    // reports it.
     const bool through = t.message.find("deep in the ring") != std::string::npos;
     const bool bounces = t.message.find("bounces without end") != std::string::npos;
     EXPECT_TRUE(t.status == Status::kOk || through || bounces) << t.message;

@@ -1,5 +1,5 @@
-// Rings on more than a spring and a damper, by whole runs against what is exact: matrix
-// exponentials, first integrals, and a program of the test's own through impacts.
+// Rings on more than a spring and a damper, by whole runs against exact answers: matrix
+// exponentials, first integrals, and a program in this test through impacts.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -18,7 +18,7 @@ namespace {
 using scene::Integrator;
 using test::run_with;
 
-// The rotor is out of reach and stands still: the ring moves alone.
+// The rotor is out of reach at rest, so the ring moves alone.
 constexpr const char* kAlone = R"(
 [run]
 end = 0.02
@@ -102,7 +102,7 @@ TEST(RingMount, RingAndHousingAreAMatrixExponential) {
 }
 
 // Along x alone: rotor, ring and housing by matrix exponentials between impacts that bisection
-// finds, Poisson's law for two bodies at each. Shares nothing with the product.
+// finds, with Poisson's law for two bodies at each. It shares no code with the product.
 struct Impacts {
   std::vector<double> times, impulses;
   Eigen::Matrix<double, 6, 1> end;
@@ -210,7 +210,7 @@ TEST(RingMount, ARingThatReachesItsHousingEndsTheRun) {
 }
 
 // ---------------------------------------------------------------- dry friction
-// A ring that dry friction alone brakes: m v^2/2 + F (x - d (1 - exp(-x/d))) is constant.
+// Only dry friction brakes the ring: m v^2/2 + F (x - d (1 - exp(-x/d))) is constant.
 double braking_error(const Trajectory& t) {
   constexpr double kForce = 60.0, kWay = 5e-5;
   const auto work = [&](std::size_t k) {
@@ -266,7 +266,7 @@ TEST(RingMount, DryDragAndPalmgrensTorque) {
   };
   EXPECT_LT(error(test::sound_event(s)), 1e-10);
   EXPECT_LT(error(run_with(s, Integrator::kVerlet, 1e-4)), 1e-4);
-  // It holds what is less: the ring comes to rest and stays.
+  // Dry friction holds less than its limit: the ring comes to rest and stays.
   scene::Scene held = s;
   held.first().stator->spin->speed = 5.0;
   held.first().stator->spin->drag = 9e-3;  // Dahl's law is a spring to small motion

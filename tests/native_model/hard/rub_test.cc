@@ -1,5 +1,5 @@
-// Lasting contact where it is hard: friction from little to absurd, spin and mass far from the
-// usual, more than one attractor, stick-slip.
+// Lasting contact in hard cases: friction from little to absurd, unusual spin and mass, more than
+// one attractor, stick-slip.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -73,8 +73,8 @@ TEST(HardMassRatio, RingFromATenThousandthToTenThousandRotors) {
   }
 }
 
-// A mode that the step cannot follow: refused before the first step, with the limit in the message;
-// `event` takes it as it is.
+// A mode that the step cannot resolve is refused before the first step, with the limit in the
+// message; `event` accepts it.
 TEST(HardStiffModes, RefusedOrSolved) {
   scene::Scene scene = ring_scene(0.01);
   scene.rotor.modal->mass = {2.0, 1e-3};
@@ -104,7 +104,7 @@ TEST(HardStiffModes, RefusedOrSolved) {
             1e-5);
 }
 
-// A rotor that is driven through sticking: phases of stick last, they do not flicker.
+// A rotor that is driven through sticking: phases of stick last and do not flicker.
 TEST(HardStickSlip, NoChangeOfSignEveryStep) {
   scene::Scene scene = make_scene({.mass = 2.0,
                                    .damping = 20.0,
@@ -132,7 +132,7 @@ TEST(HardStickSlip, NoChangeOfSignEveryStep) {
   const Trajectory p = test::sound_verlet(scene);
   EXPECT_NEAR(static_cast<double>(count(p, EventKind::kStick, 0.05)), static_cast<double>(sticks),
               0.3 * static_cast<double>(sticks) + 4.0);
-  // While it slips the sign does not alternate row by row.
+  // While it slips, the sign does not alternate from row to row.
   int flips = 0, slips = 0;
   for (std::size_t k = 1; k < p.rows(); ++k) {
     if (p.column("mode")[k] != 1.0 || p.column("mode")[k - 1] != 1.0) continue;
@@ -143,8 +143,8 @@ TEST(HardStickSlip, NoChangeOfSignEveryStep) {
   EXPECT_LT(flips, slips / 4);
 }
 
-// Free flight, forward rub and backward whip live side by side. Each start goes to its own
-// attractor, whatever the step.
+// Free flight, forward rub and backward whip coexist. Each start reaches its own attractor,
+// whatever the step.
 TEST(HardAttractors, TheSameFromTheSameStart) {
   const Jeffcott j{.mass = 2.0,
                    .damping = 150.0,
@@ -198,8 +198,8 @@ TEST(HardAttractors, TheSameFromTheSameStart) {
 }
 
 // ---------------------------------------------------------------- whip
-// Backward whip on an elastic ring by whole runs: where it settles, and on which side of a
-// watershed a start lies.
+// Backward whip on an elastic ring in whole runs: where it settles, and on which side of a
+// watershed a start is.
 
 TEST(HardWhip, TheShippedStartIsTheWhirlAt450) {
   const scene::Scene scene = test::shipped("bench_whip");
@@ -222,7 +222,7 @@ TEST(HardWhip, EventReachesTheWhip) {
   EXPECT_NEAR(t.column("normal_force").back(), whip.normal_force(nu), 1e-7 * 245.0);
 }
 
-// Passes are counted by states, not by rows: one row a second sees as many.
+// Passes are counted from states, not from rows: one row a second gives as many.
 TEST(HardWhip, PassesAreTheTurnsOfTheWhirl) {
   scene::Scene scene = test::shipped("bench_whip");
   const Trajectory fine = test::sound_event(scene);

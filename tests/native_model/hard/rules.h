@@ -1,5 +1,5 @@
-// The pass rules of every hard case: finite and complete rows, the contact laws on every row by
-// the independent residual, no impact that gains energy, bounded penetration, a closed energy
+// The rules that every hard case must pass: finite and complete rows, the contact laws in every row
+// by the independent residual, no impact that gains energy, bounded penetration, a closed energy
 // balance.
 #pragma once
 
@@ -25,7 +25,7 @@ inline Trajectory run_verlet(const scene::Scene& scene, double step) {
   return run_with(scene, scene::Integrator::kVerlet, step);
 }
 
-// One of the reference rig, with so few modes that a test is quick.
+// A scene of the reference rig, with so few modes that a test is quick.
 inline scene::Scene shipped_rig(const std::string& name) {
   scene::Scene rig = shipped(name);
   rig.rotor.geometry->modes = 2;
@@ -38,7 +38,7 @@ inline double largest(const std::vector<double>& values) {
   return most;
 }
 
-// Every requested time has its row, and nothing in it is NaN or infinite.
+// Every requested time has its row, without NaN or infinity.
 inline void expect_finite(const Trajectory& t) {
   ASSERT_FALSE(t.series.empty());
   for (const Column& column : t.series) {
@@ -51,7 +51,7 @@ inline void expect_finite(const Trajectory& t) {
   }
 }
 
-// Impacts push, friction stays in its cone, and none gives energy.
+// Impacts push, friction stays in its cone, and no impact gains energy.
 inline void expect_dissipative_impacts(const scene::Scene& scene, const Trajectory& t) {
   if (!scene.first().contact) return;
   const double mu = scene.first().contact->friction.coefficient;
@@ -76,7 +76,7 @@ inline void expect_in_cone(const scene::Scene& scene, const Trajectory& t) {
   }
 }
 
-// The balance against the work that went through: where the gap is tiny, far more than is stored.
+// The balance relative to the work done: with a tiny gap it is far more than the stored energy.
 inline double energy_residual(const Trajectory& t) {
   const Statistics& s = t.statistics;
   const double through =
@@ -131,7 +131,7 @@ inline Trajectory sound_verlet(const scene::Scene& scene, double step = 1e-5,
   return t;
 }
 
-// No status without a word of the reason, and what there is is whole.
+// Every status has a reason, and the results so far are complete.
 inline void expect_refused_or_finite(const Trajectory& t) {
   if (t.status != Status::kOk) {
     EXPECT_FALSE(t.message.empty());

@@ -1,5 +1,5 @@
-// Loads and commands that switch: nothing of what comes after a switch may leak into the step
-// before it, in flight or in contact.
+// Loads and commands that switch must not affect the step before the switch, in flight or in
+// contact.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ TEST(HardSwitching, AForceThatEndsCostsNoSteps) {
   EXPECT_LT(t.steps, 40);
 }
 
-// The ring carries the rotor; the load that presses it there goes, comes and ramps.
+// The ring carries the rotor; the load that presses it there is switched off, on and ramped.
 scene::Scene pressed() {
   scene::Scene scene = make_scene({.mass = 2.0,
                                    .damping = 10.0,
@@ -55,7 +55,7 @@ TEST(HardSwitching, InContactOffOnAndRamp) {
   }
 }
 
-// Whether or not the switch falls on the very instant at which contact ends.
+// Also if the switch is at the very instant at which contact ends.
 TEST(HardSwitching, AtTheInstantOfAnEvent) {
   scene::Scene scene = pressed();
   scene.forces[0].off = 0.04;
@@ -75,7 +75,7 @@ TEST(HardSwitching, AtTheInstantOfAnEvent) {
   EXPECT_GT(checked, 3);
 }
 
-// Control that comes on 4 ms before contact, as in the published rig.
+// Control that is switched on 4 ms before contact, as in the published rig.
 TEST(HardSwitching, ControlFourMillisecondsBeforeContact) {
   scene::Scene scene = test::shipped_rig("paper_sliding");
   scene::Scene passive = scene;
@@ -90,7 +90,7 @@ TEST(HardSwitching, ControlFourMillisecondsBeforeContact) {
   EXPECT_NEAR(p.statistics.first_touch, t.statistics.first_touch, 5e-5);
 }
 
-// Each command is limited on its own axis; the run goes on through saturation.
+// Each command is limited on its own axis; the run continues through saturation.
 TEST(HardSwitching, SaturatedActuator) {
   scene::Scene scene = test::shipped_rig("paper_sliding");
   scene.run.end = 0.2;

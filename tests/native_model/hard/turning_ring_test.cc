@@ -1,5 +1,5 @@
-// A ring that turns, [stator.spin], by whole runs against what is exact: momentum, closed forms of
-// the spin-up, and what becomes of a whip.
+// A ring that turns, [stator.spin], by whole runs against exact answers: momentum, closed forms of
+// the spin-up, and the effect on a whip.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using test::run_with;
 
 using scene::Integrator;
 
-// No two numbers alike.
+// All numbers differ.
 constexpr double kRadius = 0.05, kClearance = 0.5e-3;           // m
 constexpr double kBore = kRadius + kClearance;                  // m, R
 constexpr double kSpinInertia = 1.3e-3, kRingInertia = 4.1e-4;  // kg m^2
@@ -81,7 +81,7 @@ TEST(TurningRing, BothSpinsKeepTheirSum) {
   }
 }
 
-// A dead load presses the rotor on: it ends in rolling, with the surface speed that is known.
+// A constant load presses the rotor on the ring: it ends in rolling, with a known surface speed.
 TEST(TurningRing, ADeadLoadEndsInRolling) {
   scene::Scene s = thrown();
   test::add_constant_force(s, {-40.0, -300.0});
@@ -155,7 +155,7 @@ TEST(TurningRing, ARubUnderAConstantForceSpinsItUpAsTheClosedFormSays) {
   EXPECT_GT(ratio(Integrator::kEuler), 8.0);
 }
 
-// Without drag the speed grows evenly until the surfaces roll: when, is known.
+// Without drag the speed grows evenly until the surfaces roll, at a known time.
 TEST(TurningRing, WithoutDragRollingBeginsWhenTheClosedFormSays) {
   const scene::RingSpin spin{5e-4, 0.0, 0.0};
   const Rub rub = annular(spin);
@@ -173,7 +173,7 @@ TEST(TurningRing, WithoutDragRollingBeginsWhenTheClosedFormSays) {
 }
 
 // ---------------------------------------------------------------- whip
-// Friction drives it; a ring that runs along takes it away.
+// Friction drives a whip; a ring that turns with it removes the friction.
 TEST(TurningRing, TheWhipDiesOnAFreeRing) {
   scene::Scene s = test::shipped("bench_whip");
   s.first().stator->spin = scene::RingSpin{7e-4, 1e-3, 0.0};

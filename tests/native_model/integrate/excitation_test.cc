@@ -182,7 +182,8 @@ Constants constants(const Trajectory& t, std::size_t k, bool lost) {
   return {energy, momentum};
 }
 
-// Before and after nothing from outside acts: energy and angular momentum stay. No velocity jumps.
+// No external loads act before and after, so energy and angular momentum are constant. No velocity
+// jumps.
 TEST(LostBlade, KeepsEnergyAndMomentumBeforeAndAfter) {
   constexpr double kOn = 0.0123456;
   scene::Scene s = free_rotor(kOn);
@@ -201,7 +202,7 @@ TEST(LostBlade, KeepsEnergyAndMomentumBeforeAndAfter) {
     EXPECT_NEAR(t.column(name)[on], t.column(name)[on - 1],
                 1e-11 * std::abs(t.column(name)[on]) + 1e-15);
   }
-  // It then does much: the spin gives to bending and takes back.
+  // Then the load does much work: the spin gives energy to bending and takes it back.
   double low = kSpeed, high = kSpeed;
   for (const double speed : t.column("spin_speed")) {
     low = std::min(low, speed);
@@ -212,7 +213,7 @@ TEST(LostBlade, KeepsEnergyAndMomentumBeforeAndAfter) {
   EXPECT_LT(t.statistics.energy_residual(), 1e-11) << "what went with the blade is in the balance";
 }
 
-// The step in which it goes has a mass matrix between the two.
+// In the step of the loss the mass matrix is between the two.
 TEST(LostBlade, FixedStepsConverge) {
   const scene::Scene s = free_rotor(0.0123456);
   const Trajectory exact = run(s, scene::Integrator::kEvent);
@@ -222,8 +223,7 @@ TEST(LostBlade, FixedStepsConverge) {
   });
 }
 
-// `event` follows each turn: more of them than days of computing are refused beforehand, by the
-// force.
+// `event` follows each turn: if that would take days, the force is refused beforehand.
 TEST(Excitation, MoreTurnsThanCanBeFollowedAreRefused) {
   scene::Scene s = oscillator();
   s.forces.resize(2);

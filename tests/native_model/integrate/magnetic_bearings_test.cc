@@ -113,8 +113,8 @@ const std::vector<std::string> kBusy{"magnetic_bearing.control.integral=2e5",
                                      "magnetic_bearing[0].negative_stiffness=2e4",
                                      "run.end=0.025"};
 
-// At its limit the one, failing the other: fixed steps come to the event's answer with their order,
-// and the currents are told apart.
+// One is at its limit, the other fails: fixed steps tend to the result of `event` with their order,
+// and the currents have separate columns.
 TEST(MagneticBearings, EachHasItsLimitItsIntegratorAndItsFailure) {
   const auto busy = [](std::vector<std::string> more) {
     more.insert(more.end(), kBusy.begin(), kBusy.end());
@@ -138,7 +138,7 @@ TEST(MagneticBearings, EachHasItsLimitItsIntegratorAndItsFailure) {
   EXPECT_LT(by, 0.1 * test::rotor_error(coarse, exact));
 }
 
-// The weight ends up in the integrators' currents, and a steady start has them from the first.
+// The weight finally acts on the integrators' currents, and a steady start has them at once.
 TEST(MagneticBearings, IntegratorsCarryTheWeightFromASteadyStart) {
   const Trajectory t = run_event(levitated_by_two(
       kTwoMagnets,
@@ -291,16 +291,16 @@ TEST(LevitatedShaft, LastingRubsAreThoseOfALinearMachine) {
 }
 
 TEST(LevitatedShaft, RefusesWhatItCannotDo) {
-  // The weight alone asks for 18 N / 100 N/A and more.
+  // The weight alone needs 18 N / 100 N/A and more.
   const auto steady = [](const std::string& control) {
     return test::model_refusal(
         parse(kMagnets, {"initial.steady=true", "magnetic_bearing.control." + control}));
   };
   EXPECT_TRUE(test::contains(steady("current_limit=0.1"), "current_limit = 0.1 A"));
   EXPECT_EQ(steady("current_limit=2"), "");
-  // Nothing holds it from the start.
+  // Nothing holds the rotor from the start.
   EXPECT_TRUE(test::contains(steady("fails_at=0"), "initial.steady"));
-  // Beside the plain bearing it holds no tilt; without a control nothing.
+  // Beside the plain bearing it does not resist tilt; without a control it resists nothing.
   EXPECT_TRUE(
       test::contains(test::model_refusal(parse(kMagnets, {"magnetic_bearing.station=0.03"})),
                      "free to move as a rigid body"));

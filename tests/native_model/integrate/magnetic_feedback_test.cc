@@ -1,5 +1,5 @@
-// A magnetic bearing that holds the rotor by a feedback of its own, against exact answers: its
-// current at the limit, its integrator, the fall once it has failed.
+// A magnetic bearing that holds the rotor by its own feedback, against exact answers: its current
+// at the limit, its integrator, the fall after it has failed.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -36,7 +36,7 @@ constexpr double kDerivative = 2.0;                          // A s/m
 constexpr double kNet = kForce * kProportional - kNegative;  // N/m
 constexpr double kGravity = 9.81;                            // m/s^2
 
-// A rigid mode that nothing else holds.
+// A rigid mode that only the bearing holds.
 scene::Scene levitated() {
   scene::Scene s = test::make_scene({.mass = kHeld, .clearance = 0.5e-3});
   s.magnetic_bearings = {scene::MagneticBearing{0.0, {1.0}, kNegative}};
@@ -47,7 +47,7 @@ scene::Scene levitated() {
   return s;
 }
 
-// The current as the linear law has it, and its force at the limit.
+// The current as in the linear law, and its force at the limit.
 TEST(MagneticFeedback, CurrentIsAColumn) {
   scene::Scene s = levitated();
   s.initial.x = {1e-4};
@@ -95,19 +95,19 @@ TEST(MagneticFeedback, AtTheLimitTheForceIsConstant) {
     EXPECT_LT(test::orbit_error(run_with(s, integrator), exact), 1e-12 * kStart)
         << static_cast<int>(integrator);
   }
-  // Into the linear range: the current has a kink there, no jump.
+  // In the linear range the current has a kink there, but does not jump.
   s.run.end = 0.006;
   ASSERT_LT(reached, 0.9 * s.run.end);
   const Trajectory t = run_event(s);
   EXPECT_LT(test::orbit_error(t, exact), 1e-9 * kStart);
   EXPECT_LT(t.statistics.energy_residual(), 1e-9);
-  // The error at the kink depends on where in the step it falls, so neighbouring steps scatter.
+  // The error at the kink depends on its place in the step, so neighbouring steps scatter.
   test::expect_order_of_steps(
       s, {2e-4, 1e-4, 5e-5, 2e-5, 1e-5, 5e-6, 2e-6}, 1.85,
       [&](const Trajectory& run) { return test::orbit_error(run, exact); }, 1e-3 * kStart);
 }
 
-// It fails: from where it hung the rotor falls freely, to the ring.
+// After the failure the rotor falls freely from where it was to the ring.
 TEST(MagneticFeedback, FailsAndTheRotorFalls) {
   constexpr double kFails = 3.3e-3;
   scene::Scene s = levitated();
@@ -306,7 +306,7 @@ TEST(MagneticSensor, ElsewhereMovesTheRotorAsItsMatrixDoes) {
   }
 }
 
-// Beyond a node of the mode that it damps a sensor drives it.
+// A sensor beyond a node of the mode that the bearing damps makes the mode grow.
 TEST(MagneticSensor, BehindANodeMakesTheMachineUnstable) {
   const auto threshold = [](const char* shape) {
     return stability_threshold(

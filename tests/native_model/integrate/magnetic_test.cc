@@ -1,5 +1,5 @@
 // Runs with the magnetic actuator against exact answers: the ring on its axes alone, linear for
-// small motions, and a rub in which the magnets give exactly what an ideal actuator would.
+// small motions, and a rub in which the magnets give exactly the force of an ideal actuator.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -130,7 +130,7 @@ TEST(MagneticRing, TheBiasCurrentIsANegativeSpring) {
   EXPECT_EQ(last(t).z(), 0.0);
 }
 
-// Currents within their limit: the rub is that of an ideal actuator.
+// With currents below their limit the rub is that of an ideal actuator.
 TEST(MagneticRub, IsThatOfAnIdealActuator) {
   scene::Scene ideal = test::shipped("bench_ring");
   ideal.run.end = 0.1;
@@ -193,7 +193,7 @@ TEST(MagneticRing, DoesNotStartInACore) {
   EXPECT_THROW(prepare(s), scene::SceneError);
 }
 
-// Saturated currents and limited rates keep every rule; so does a ring that runs into the cores.
+// Saturated currents and limited rates obey every rule; so does a ring that runs into the cores.
 TEST(MagneticRub, SaturationIsSolved) {
   scene::Scene s = test::shipped("paper_magnetic");
   s.rotor.geometry->modes = 2;

@@ -1,5 +1,5 @@
-// The motion of the base against what is the same: a weight, forces, and the machine in coordinates
-// that do not move with it.
+// The motion of the base against equivalents: a weight, forces, and the machine in fixed
+// coordinates.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ scene::Scene mode(const std::vector<std::string>& overrides) {
   return scene::parse_scene(kBaseModal, "mode.toml", overrides);
 }
 
-// Largest difference of all columns, as a share of the largest value of each.
+// Largest difference of all columns, relative to the largest value of each.
 double apart(const Trajectory& a, const Trajectory& b) {
   EXPECT_EQ(a.rows(), b.rows());
   double largest = 0.0;
@@ -38,7 +38,7 @@ double apart(const Trajectory& a, const Trajectory& b) {
   return largest;
 }
 
-// A base that is pushed up presses as a weight does: rotor, modes and ring, through impacts.
+// A base that accelerates upwards acts as a weight does: on rotor, modes and ring, through impacts.
 TEST(MovingBase, AConstantAccelerationIsAWeight) {
   const scene::Scene pushed =
       shaft({"base={time=[-1.0,1.0],acceleration_x=[-0.5,-0.5],acceleration_y=[9.81,9.81]}"});
@@ -47,7 +47,7 @@ TEST(MovingBase, AConstantAccelerationIsAWeight) {
        {scene::Integrator::kEvent, scene::Integrator::kVerlet, scene::Integrator::kEuler}) {
     const Trajectory a = run_with(pushed, integrator), b = run_with(heavy, integrator);
     EXPECT_GE(a.impacts.size(), 1u);
-    // Round-off, which impacts enlarge.
+    // Round-off, which impacts magnify.
     EXPECT_LT(apart(a, b), 1e-9) << a.integrator;
     EXPECT_NEAR(a.statistics.external_work, b.statistics.external_work, 1e-12) << a.integrator;
   }

@@ -53,7 +53,7 @@ double taken(double speed) {
   return kRotorDamping * r * r * speed;
 }
 
-// Where gain (target - speed) meets that first.
+// The intersection with gain (target - speed).
 double hanging(double gain) {
   double low = kRunUpStart, high = std::sqrt(kRotorStiffness / kRotorMass);
   EXPECT_GT(gain * (kRunUpTarget - low), taken(low));
@@ -145,14 +145,14 @@ TEST(MotorCurve, TheRunLiesOnItFromStandstillToItsLoad) {
   const std::vector<double> time = t.column("t"), spin = t.column("spin_speed"),
                             torque = t.column("motor_torque"), twist = t.column("torsion_speed_1");
 
-  // Every row, at the speed of the motor's place.
+  // Every row has the speed of the motor's station.
   for (std::size_t k = 0; k < spin.size(); ++k) {
     const double speed = spin[k] + model.drive_shape[0] * twist[k];
     EXPECT_NEAR(torque[k], kloss(motor, speed), 1e-12 * motor.breakdown_torque) << time[k];
   }
 
-  // The way along it: the starting torque, up to the most it can, down to nothing at its
-  // synchronous speed.
+  // The path along the curve: the starting torque, up to the maximum, down to 0 at synchronous
+  // speed.
   const auto touch = static_cast<std::size_t>(
       std::upper_bound(time.begin(), time.end(), t.statistics.first_touch) - time.begin());
   const auto most = std::max_element(torque.begin(), torque.end());
@@ -163,8 +163,8 @@ TEST(MotorCurve, TheRunLiesOnItFromStandstillToItsLoad) {
               (1.0 - sb) * motor.synchronous_speed, 0.01 * motor.synchronous_speed);
   EXPECT_LT(torque[touch - 1], 1e-3) << "no load yet";
 
-  // The rub is its load: what the motor gives is what friction takes and the spin loses; unbalance
-  // takes a hundredth.
+  // The rub is the load: the motor's torque balances friction and the loss of spin; unbalance takes
+  // a hundredth.
   double given = 0.0;
   for (std::size_t k = touch; k < time.size(); ++k) {
     given += 0.5 * (torque[k] + torque[k - 1]) * (time[k] - time[k - 1]);

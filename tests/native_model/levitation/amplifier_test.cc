@@ -114,7 +114,7 @@ TEST(MagneticAmplifier, StartsOnItsSteadyOrbit) {
   const Complex current = -law * kSize / stiffness;
   EXPECT_NEAR(t.column("bearing_current_x").front(), current.real(), 1e-12);
   EXPECT_NEAR(t.column("bearing_current_y").front(), current.imag() + kWeight / kPerAmpere, 1e-12);
-  // A slow amplifier lets it grow, and no orbit is steady.
+  // With a slow amplifier the motion grows, and there is no steady orbit.
   s.magnetic_bearings[0].amplifier->bandwidth = 50.0;
   EXPECT_THROW(prepare(s), scene::SceneError);
 }
@@ -153,8 +153,8 @@ TEST(MagneticAmplifier, TheVoltageBoundsTheRateOfTheCurrent) {
 }
 
 // ---------------------------------------------------------------- off, on and off again
-// Switched on late it falls until then; failed and returned it is the same loop again, from the
-// state of that instant: three linear motions one after the other.
+// Switched on late, the rotor falls until then; failed and returned, it is the same loop again,
+// from the state of that instant: three linear motions one after the other.
 TEST(MagneticAmplifier, WorksFromOnToFailureAndFromItsReturn) {
   constexpr double kOn = 2.3e-3, kFails = 0.0217, kReturns = 0.0234, kFall = 9.81;
   scene::Scene s = amplified();
@@ -176,7 +176,8 @@ TEST(MagneticAmplifier, WorksFromOnToFailureAndFromItsReturn) {
     a(4, 4) = -kBandwidth;
     return a;
   };
-  // With an integrator that holds still A has no full set of eigenvectors: a series of short steps.
+  // With an integrator at rest A has no full set of eigenvectors, so the exponential is a series of
+  // short steps.
   const auto moved = [&](bool works, double by, const Eigen::VectorXd& from) {
     constexpr int kParts = 64, kTerms = 25;
     const Eigen::MatrixXd a = system(works) * (by / kParts);

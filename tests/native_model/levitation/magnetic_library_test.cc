@@ -1,5 +1,5 @@
-// One law of the user's for magnetic bearings, from a library: the bits of the same law by
-// matrices, what it is told and shown, and how it ends and is refused.
+// A user's law for magnetic bearings from a library: the bits of the same law by matrices, its
+// measurements, failures and refusals.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -22,7 +22,7 @@ namespace {
 using scene::Integrator;
 constexpr Integrator kAll[] = {Integrator::kEvent, Integrator::kVerlet, Integrator::kEuler};
 
-// The libraries of these tests are the tests' own.
+// The tests open only their own libraries.
 class TrustingMagnets : public testing::Environment {
  public:
   void SetUp() override { set_scene_libraries(SceneLibraries::kAllowed); }
@@ -143,7 +143,8 @@ def step(law, now, state):
   }
 }
 
-// The currents are what it is shown, each as far as it is within the limit of 2 A of the second.
+// The currents are the law's measurements, as far as they are within the limit of 2 A of the
+// second.
 TEST(MagneticLibrary, IsShownTimeSpinAndCurrents) {
   const auto current = [](const std::string& what, Integrator integrator) {
     scene::Scene s = read(by_library("show = \"" + what + "\"\n"));

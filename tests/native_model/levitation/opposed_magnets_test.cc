@@ -1,9 +1,8 @@
-// The force of two magnets that pull against each other, against exact answers.
+// The force of two opposed magnets, against exact answers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "native_model/model/model.h"
 #include "tests/support/jeffcott.h"
@@ -86,7 +85,7 @@ TEST(OpposedMagnets, AreLinearAboutTheMiddle) {
   EXPECT_NEAR(larger / small, 100.0, 5.0);
 }
 
-// Under a weight the damped rotor comes to rest where F(r, -P r) carries it, not where the linear
+// Under a weight the damped rotor comes to rest where F(r, -P r) balances it, not where the linear
 // law would.
 TEST(OpposedMagnets, CarryAWeightWhereTheirForceDoes) {
   const double gain = 4.0 * kConstant * kBias / (kGap * kGap), pull = gain * kBias / kGap;

@@ -31,7 +31,7 @@ constexpr double kProp = 4000.0, kInt = 6e4, kDer = 2.0;       // A/m, A/(m s), 
 constexpr double kRateFilter = 2e-4, kEvery = 1e-4;            // s
 constexpr double kAmplifier = 9000.0;                          // rad/s
 
-// One axis under a current that is held: the plant x' = A x + b i of which the controller sees x_0.
+// One axis under a held current: the plant x' = A x + b i, of which the controller measures x_0.
 class HeldLoop {
  public:
   using Law = std::function<double(int sample, double seen)>;
@@ -153,7 +153,7 @@ TEST(SampledMagneticControl, BehindAnAmplifierToo) {
                  HeldLoop(a, b, Eigen::Vector3d(0.0, 0.03, 0.0), kEvery, s.run.end, pid(0)));
 }
 
-// The integrator takes back the part that the limit cuts off.
+// The integrator subtracts the part that the limit cuts off.
 TEST(SampledMagneticControl, PidKeepsItsLimit) {
   constexpr double kLimit = 0.31;
   scene::Scene s = sampled_scene();
@@ -286,8 +286,8 @@ vy = [0.05, 0.02]
                               [&](const Trajectory& run) { return test::orbit_error(run, exact); });
 }
 
-// Off, it asks for nothing and forgets; on again it begins as at its first sample, without a kick
-// of the derivative.
+// Switched off, it commands nothing and loses its state; switched on again, it begins as at its
+// first sample, without a kick of the derivative.
 TEST(SampledMagneticControl, BeginsAnewWhenItReturns) {
   constexpr double kOn = 20.0 * kEvery, kFails = 150.0 * kEvery, kReturns = 155.5 * kEvery;
   scene::Scene s = sampled_scene();

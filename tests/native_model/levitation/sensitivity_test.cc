@@ -222,7 +222,7 @@ TEST(Levitation, SampledLoopHasItsHoldAndDelay) {
   for (const Phasor& z : turns) {
     if (std::abs(z) > 1e-3) poles.push_back(std::log(z) / kT);
   }
-  // On both axes.
+  // The same on both axes.
   ASSERT_EQ(all.poles.size(), 2 * poles.size());
   for (const Phasor& pole : poles) {
     const auto near = std::ranges::count_if(

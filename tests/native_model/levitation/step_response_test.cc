@@ -1,5 +1,5 @@
-// Answers of magnetic bearings' loops to a step of force and to the unbalance, against closed forms
-// and against runs of the nonlinear model.
+// Responses of magnetic bearings' loops to a step of force and to the unbalance, against closed
+// forms and against runs of the nonlinear model.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -85,8 +85,8 @@ TEST(StepResponse, ProportionalAndDerivativeOfOneMassHaveTheTextbooksFigures) {
   }
 }
 
-// Two equal poles, whose modes are no basis, and two real ones: no overshoot, and it is never at
-// its most.
+// Two equal poles, whose modes are no basis, and two real ones: there is no overshoot and no
+// maximum.
 TEST(StepResponse, WithoutASwingDoesNotOvershoot) {
   constexpr double kHeld = 2.2e5;
   const double w = std::sqrt(kHeld / kHeavy);
@@ -108,7 +108,7 @@ TEST(StepResponse, OfALoopThatIsUnstableThereIsNone) {
   EXPECT_EQ(levitation(prepare(hung(2e5, -10.0)), 100.0).unbalance.size(), 0);
 }
 
-// An integrator takes it all back: nothing stays, so that there is no overshoot of it.
+// An integrator brings the rotor back, so the final value is 0 and the overshoot is undefined.
 TEST(StepResponse, AnIntegratorLetsNothingStay) {
   scene::Scene s = hung(2.2e5, 400.0);
   s.magnetic_bearings[0].control->integral = 3e4;
@@ -255,7 +255,7 @@ TEST(SampledUnbalance, IsOnceATurnInALongRun) {
   }
 }
 
-// A sensor in the run shows what `modes` predicts for it; both at the speed of the scene.
+// A sensor in the run shows the prediction of `modes`; both at the speed of the scene.
 TEST(SampledUnbalance, HasTheFiguresOfTheLoopAtItsSensors) {
   const Turns turns{600.0, 12};
   const scene::Scene s = turns.scene();
@@ -274,7 +274,7 @@ TEST(SampledUnbalance, HasTheFiguresOfTheLoopAtItsSensors) {
   EXPECT_EQ(met, 4);
 }
 
-// A loop that its delay makes unstable has no answer.
+// A loop that its delay makes unstable has no response.
 TEST(SampledUnbalance, HasNothingWhereTheDelayMakesItUnstable) {
   EXPECT_FALSE(synchronous_response(Turns{600.0, 3}.scene(), 600.0));
 }

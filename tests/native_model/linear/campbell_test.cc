@@ -259,7 +259,7 @@ TEST(Condensed, KeepsTheKeptModes) {
   }
 }
 
-TEST(Condensed, LeavesASmallSystemAlone) {
+TEST(Condensed, DoesNotChangeASmallSystem) {
   const WhirlSystem whole = whirl_system(test::jeffcott(2.0, 2e5, 40.0));
   EXPECT_EQ(condensed(whole, 100.0, 1e-5).size(), whole.size());
 }

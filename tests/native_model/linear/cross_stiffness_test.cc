@@ -1,5 +1,5 @@
-// Bearings that couple the planes by springs: what the rotor does may not depend on the axes that
-// its bearings are described in.
+// Bearings whose springs couple the planes: the motion must not depend on the axes in which its
+// bearings are described.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -40,7 +40,7 @@ struct Bearing {
     return "stiffness = " + list({mean() + along(), mean() - along()}) +
            "\ncross_stiffness = " + list({across(), across()}) + "\n";
   }
-  // The same over the speed, harder with it.
+  // The same over the speed, stiffer at higher speeds.
   std::string table() const {
     const auto rising = [](double value) { return list({value, 1.5 * value, 3.0 * value}); };
     return "table_speed = [0.0, 100.0, 250.0]\ntable_kxx = " + rising(mean() + along()) +
@@ -113,7 +113,7 @@ TEST(CrossStiffness, TurningTheBearingsChangesNoCriticalSpeedNorItsSense) {
   }
 }
 
-// k_xy = -k_yx conserves no energy: it drives whirl, and moves no critical speed.
+// k_xy = -k_yx does not conserve energy: it drives whirl, and changes no critical speed.
 TEST(CrossStiffness, WhatDrivesWhirlMovesNoCriticalSpeed) {
   const auto plain = critical_speeds(shaft("stiffness = [1e6, 0.8e6]\n"));
   const auto driven =

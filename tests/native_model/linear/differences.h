@@ -1,5 +1,5 @@
-// The eigenvalues of a lasting rub by differences of the model's own right-hand side: contact and
-// its kind are kept, nothing is linearised by hand.
+// The eigenvalues of a lasting rub by differences of the model's own right-hand side: the contact
+// and its state are kept, and nothing is linearised by hand.
 #pragma once
 
 #include <gtest/gtest.h>

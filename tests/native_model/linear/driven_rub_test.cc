@@ -65,7 +65,7 @@ scene::Scene driven_scene(bool elastic_ring, bool loaded, double sense = 1.0) {
   return s;
 }
 
-// Started on the rub, the motor giving what it takes and torsion at its static twist.
+// The start is on the rub; the motor gives the torque of the rub, and torsion has its static twist.
 scene::Scene started_driven(scene::Scene s, const RubSystem& system, const SteadyRub& rub) {
   const double torque = torque_taken(system, rub);
   keep_speed(s, s.drive->gain, torque);
@@ -135,8 +135,8 @@ TEST(DrivenRub, RollsAsTheModelSays) {
   }
 }
 
-// Without unbalance, loads locked to the spin, gyroscopics and rotating damping: what bends does
-// not know what turns.
+// Without unbalance, loads locked to the spin, gyroscopics and rotating damping, bending and spin
+// are independent.
 TEST(DrivenRub, SlidingGivesTorsionNoWayBack) {
   scene::Scene scene = driven_scene(true, false);
   scene.rotor.modal->gyroscopic = scene.rotor.modal->internal_damping = {0.0, 0.0, 0.0};

@@ -75,8 +75,8 @@ Trajectory run_short(scene::Scene s) {
   return test::run_event(s);
 }
 
-// Growing at 14 1/s and swinging: the friction turns the shaft this way and that, and bending is
-// none the wiser. In rolling contact the arc of a twist, r theta, is bending's too.
+// Torsion grows at 14 1/s and swings: the friction turns the shaft to and fro, and bending is
+// unaffected. In rolling contact the arc of a twist, r theta, moves bending too.
 TEST(DrivenRuns, SlidingIsBlindToTorsionRollingIsNot) {
   scene::Scene rigid = test::shipped("paper_passive", {"drive=none", "rotor.torsion=none",
                                                        "force[0].on=0", "initial.steady=false"});
@@ -100,8 +100,8 @@ TEST(DrivenRuns, SlidingIsBlindToTorsionRollingIsNot) {
   EXPECT_GT(apart(run_short(stiff), run_short(twisted(rolls, rub, 1e-3)), "rotor_x"), 0.1 * arc);
 }
 
-// A soft motor leaves the border of sliding where it is, even where all the load is unbalance: what
-// torsion and spin give back to bending is a hundredth.
+// A soft motor does not move the border of sliding, even if all the load is unbalance: torsion and
+// spin return only a hundredth to bending.
 TEST(DrivenRuns, AMotorThatGivesWayHardlyMovesTheBorderOfSliding) {
   const auto growths = [](const std::string& friction) {
     const scene::Scene s = test::shipped(
@@ -161,9 +161,9 @@ TEST(DrivenRuns, TheMirroredMotorKeepsTheMirroredRolling) {
   }
 }
 
-// Under a motor that asks for less and less speed two of the three rollings meet and are gone:
-// until then both are told, however close together.
-TEST(DrivenRuns, TwoRollingsAreToldUntilTheyMeet) {
+// Under a motor with a falling target speed two of the three rollings meet and disappear: until
+// then both are reported, however close they are.
+TEST(DrivenRuns, BothRollingsAreReportedUntilTheyMeet) {
   scene::Scene s = rolling_rig();
   const auto all_at = [&s](double speed) {
     s.drive->speed = speed;
@@ -181,7 +181,7 @@ TEST(DrivenRuns, TwoRollingsAreToldUntilTheyMeet) {
   EXPECT_LT(std::min(last[1].speed - last[0].speed, last[2].speed - last[1].speed), 0.01);
 }
 
-// Started on it, with `off` rad of twist more in the first mode.
+// The start is on the rub, with `off` rad more twist in the first mode.
 scene::Scene started_rolling(scene::Scene s, const DrivenRolling& kept, double off) {
   s.rotor.speed = kept.speed;
   const DriveTrain train = drive_train(s);
@@ -194,8 +194,8 @@ scene::Scene started_rolling(scene::Scene s, const DrivenRolling& kept, double o
   return s;
 }
 
-// Rolling that the motor keeps is there at a friction of 0.3, too: what a friction of 1 does is to
-// lead there.
+// The rolling that the motor keeps also exists at a friction of 0.3; a friction of 1 leads the
+// rotor there.
 TEST(DrivenRuns, RollingStaysWhereTheMotorKeepsIt) {
   for (const bool soft : {false, true}) {
     scene::Scene s = rolling_rig();
@@ -240,7 +240,7 @@ TEST(DrivenRuns, SpinAndBendingSwingAndRunAwayAsOne) {
   }
 }
 
-// The whole story: it bounces, turns backward, rolls, and the spin falls to where the motor's line
+// The whole motion: it bounces, turns backward, rolls, and the spin falls to where the motor's line
 // meets the rub's.
 TEST(DrivenRuns, ThePassiveRigFallsIntoRolling) {
   const scene::Scene s = test::shipped("paper_rolling", {"run.end=0.3"});
@@ -253,7 +253,8 @@ TEST(DrivenRuns, ThePassiveRigFallsIntoRolling) {
   EXPECT_NEAR(sum / 200.0, expected, 2e-3 * expected) << "over the last 60 ms";
 }
 
-// Where the paper blames a speed that is not constant, a speed that is held does ten times worse.
+// The paper blames the speed that is not constant, but at a held speed the result is ten times
+// worse.
 TEST(DrivenRuns, ASoftMotorSoftensRolling) {
   scene::Scene held =
       test::shipped("paper_rolling", {"contact.friction=1.5", "drive=none", "run.end=0.2"});

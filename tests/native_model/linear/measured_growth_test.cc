@@ -1,5 +1,5 @@
-// The eigenvalues of forced rubs against whole runs of `event`: started a little off a rub, how
-// fast does the normal force come back to it, or leave?
+// The eigenvalues of forced rubs against whole runs of `event`: started slightly off a rub, how
+// fast does the normal force return to its value, or leave it?
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,8 +25,8 @@ struct Case {
   double off = 1e-4;                 // of the load
 };
 
-// Off the rub by what a slightly larger load does: in contact, and too little to be anything but
-// linear.
+// The start is off the rub by the effect of a slightly larger load: in contact, and small enough to
+// be linear.
 void expect_measured(Case c, bool stable) {
   c.scene.run.end = c.end;
   c.scene.run.output_step = c.step;
@@ -49,7 +49,7 @@ void expect_measured(Case c, bool stable) {
 
   const auto count = static_cast<Eigen::Index>(expected.size());
   const std::vector<Complex> measured = test::exponents(off, c.step, count);
-  // 1 % of the rate, and 0.01 rad/s for what the fit of a few periods leaves.
+  // 1 % of the rate, and 0.01 rad/s for the error of the fit of a few periods.
   double nearest = 1e300;
   Complex found;
   for (const Complex& s : measured) {
@@ -82,7 +82,7 @@ TEST(MeasuredGrowth, ShippedRubOnAnElasticRingDecays) {
   expect_measured({test::shipped("bench_annular_elastic")}, true);
 }
 TEST(MeasuredGrowth, TheRigsRubDecaysAtLittleFriction) { expect_measured({held_rig(0.1)}, true); }
-// Friction feeds the second bending mode: the rig of the paper cannot rub steadily.
+// Friction feeds the second bending mode, so the rig of the paper has no steady rub.
 TEST(MeasuredGrowth, TheRigsRubGrowsAtItsOwnFriction) { expect_measured({held_rig(0.3)}, false); }
 
 // With one mode on a fixed ring only the rub's angle eps can move, and friction that falls with the
@@ -137,7 +137,7 @@ TEST(MeasuredGrowth, FallingFrictionIsADamperAlongTheSlip) {
   }
 }
 
-// A hair to both sides of the border, by whole runs.
+// Slightly to both sides of the border, in whole runs.
 TEST(MeasuredGrowth, FallingFrictionLeavesTheRubBeyondItsBorder) {
   const double there = border();
   EXPECT_GT(there, 0.01);
@@ -248,8 +248,7 @@ TEST(TurningRingRub, RollingDecaysAsItsEigenvaluesSay) {
   EXPECT_NEAR(found.imag(), first.imag(), 1e-3 * std::abs(first.imag()) + 0.01);
 }
 
-// Without drag nothing holds the ring back: it takes no tangential force for long, and no whip
-// lasts.
+// Without drag nothing slows the ring: it has no lasting tangential force, and no whip lasts.
 TEST(TurningRingRub, WithoutDragNoWhipLasts) {
   const RubSystem free = rub_system(turning("bench_whip", "0"));
   EXPECT_TRUE(RubStudy(free).at(free.friction).rubs.empty());

@@ -125,7 +125,7 @@ TEST(WhirlShapes, OfAPinnedShaftAreSinesAtAnySpeed) {
   }
 }
 
-// Nothing turns at rest: the planar modes, of either plane its own.
+// At rest nothing rotates: the modes are planar, in either plane.
 TEST(WhirlShapes, AtRestAreThePlanarModes) {
   const scene::Scene s = test::anisotropic_rotor();
   const ModeShapes planar = mode_shapes(s).value();

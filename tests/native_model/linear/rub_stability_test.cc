@@ -33,8 +33,8 @@ TEST(RubStability, WhipOfOneModeIsTheClosedForm) {
     ASSERT_EQ(found.size(), exact.size());
     double largest = 0.0;
     for (const Complex& s : found) largest = std::max(largest, std::abs(s));
-    // Round-off of an eigenvalue is that of the largest, times its condition: a slow one stands
-    // near the free direction's 0.
+    // The round-off of an eigenvalue is that of the largest, times its condition: a slow one is
+    // near the 0 of the free direction.
     for (const Complex& s : exact) {
       EXPECT_LT(test::nearest_to(s, found), 1e-9 * largest) << mu << ' ' << s;
     }

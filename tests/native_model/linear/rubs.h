@@ -63,8 +63,8 @@ inline scene::Scene started_on(scene::Scene s, const rub::SteadyRub& rub) {
   return s;
 }
 
-// Exponents s_j of x_k = sum c_j e^{s_j k step}, of `count` terms, by the matrix pencil: nothing is
-// known of them beforehand. By falling real part.
+// Exponents s_j of x_k = sum c_j e^{s_j k step}, of `count` terms, by the matrix pencil without
+// initial values. By falling real part.
 inline std::vector<rub::Complex> exponents(const std::vector<double>& x, double step,
                                            Eigen::Index count) {
   const auto all = static_cast<Eigen::Index>(x.size()), wide = all / 2;
@@ -77,7 +77,8 @@ inline std::vector<rub::Complex> exponents(const std::vector<double>& x, double 
   }
   now.conservativeResize(all - wide - 1, wide);
   next.conservativeResize(all - wide - 1, wide);
-  // Jacobi's: the matrices are small, and the other takes a minute to compile.
+  // Jacobi's method, because the matrices are small, and the other method takes a minute to
+  // compile.
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(now, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const Eigen::MatrixXd pencil = svd.singularValues().head(count).cwiseInverse().asDiagonal() *
                                  svd.matrixU().leftCols(count).transpose() * next *

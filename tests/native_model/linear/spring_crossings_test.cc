@@ -9,7 +9,6 @@
 #include <optional>
 #include <random>
 #include <string>
-#include <vector>
 
 #include "native_model/linear/campbell.h"
 #include "native_model/numerics/eigenvalues.h"
@@ -85,7 +84,7 @@ TEST(SpringCrossings, LieWhereTheDynamicStiffnessIsSingular) {
   EXPECT_GT(found, 40);
 }
 
-// k = s^2 and k = s^2.5 of a mass of 1: no crossing can be told from counts at the ends.
+// k = s^2 and k = s^2.5 of a mass of 1: counts at the ends do not reveal the crossing.
 TEST(SpringCrossings, AreLeftToASearchWhereSpringsRiseAsTheSquareOfTheSpeed) {
   const auto once = [](double power) {
     const auto springs = [power](double s) {
@@ -108,8 +107,8 @@ TEST(SpringCrossings, NeedASymmetricStiffnessThatHolds) {
   EXPECT_FALSE(SpringCrossings::of(-one, one, u, springs, 0.0)) << "magnets too strong";
 }
 
-// A map over stiffness asks 49 times: by a search along each curve, eigenvalues of the whole mesh
-// at each speed, that took eleven minutes.
+// A map over stiffness needs 49 searches. A search along each curve with the eigenvalues of the
+// whole mesh at each speed took eleven minutes.
 TEST(SpringCrossings, MakeTablesCostFewDecompositions) {
   constexpr double kMost = 40.0;  // 4 as measured; the search took 457
   scene::Scene s = test::anisotropic_rotor();
@@ -122,7 +121,7 @@ TEST(SpringCrossings, MakeTablesCostFewDecompositions) {
   }
   const WhirlSystem follows = whirl_system(s);
   ASSERT_TRUE(follows.films.size() >= 2 && follows.films.front().law.follows());
-  // The least of several: another program's turn on the processor is not ours.
+  // The least of several times, because other programs use the processor too.
   const auto seconds = [](const WhirlSystem& system) {
     double least = 1e300;
     for (int k = 0; k < 5; ++k) {

@@ -30,7 +30,7 @@ TEST(CriticalSpeeds, RayleighShaft) {
   }
 }
 
-// At a critical speed some whirl is in step with the spin.
+// At a critical speed a whirl is synchronous with the spin.
 TEST(CriticalSpeeds, LieOnTheCampbellDiagram) {
   const WhirlSystem isotropic = whirl_system(scene_of(oracle::friswell_rotor()));
   for (double speed : critical_speeds(isotropic)) {
@@ -45,7 +45,7 @@ TEST(CriticalSpeeds, LieOnTheCampbellDiagram) {
   }
 }
 
-// A disc with J_p > J_t is never caught up with by its tilting whirl.
+// The tilting whirl of a disc with J_p > J_t is always faster than the spin.
 TEST(CriticalSpeeds, AFlatDiscHasFewer) {
   scene::Scene s = jeffcott(2.0, 2e5, 0.0);
   s.rotor.modal->gyroscopic = {2.5};
@@ -112,7 +112,7 @@ scene::Scene with_window(double at, double width, double cross) {
   return s;
 }
 
-// A window of instability narrower than any even step is found where it begins and ends.
+// The limits of a window of instability that is narrower than any even step are found.
 TEST(StabilityThreshold, FindsTheWindowsOfATable) {
   for (const double at : {137.0, 420.0, 811.0, 1723.0, 2950.0}) {
     const double width = 0.02 * at;

@@ -1,5 +1,5 @@
-// Lasting rubs of any number of modes: one mode against the closed forms, several put back into the
-// model's own right-hand side, which shares nothing with them.
+// Lasting rubs of any number of modes: one mode against the closed forms, several put into the
+// model's own right-hand side, which shares no code with them.
 #include "native_model/linear/steady_rub.h"
 #include "native_model/prepare/prepare.h"
 
@@ -101,7 +101,7 @@ TEST(SteadyRub, WhipsOfBlack) {
   EXPECT_NEAR(edges[0], 1019.199, 5e-4);
 }
 
-// No zero is missed however sharp the resonances: the closed form's polynomial has them all.
+// No zero is missed, however sharp the resonances: the closed form's polynomial has all of them.
 TEST(SteadyRub, EdgesAreThoseOfTheClosedForm) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -140,7 +140,7 @@ TEST(SteadyRub, APairOfWhipsCloseTogetherIsFound) {
   }
 }
 
-// A hair above the fold both, below none, at the fold itself one.
+// Slightly above the fold there are two, below none, at the fold one.
 TEST(SteadyRub, TheFoldIsWhereThePairIsBorn) {
   const BackwardCompliance backward(rub_system(test::shipped("bench_whip")));
   for (const double hair : {1e-3, 1e-6, 1e-9, 1e-11}) {
@@ -159,8 +159,8 @@ TEST(SteadyRub, TheFoldIsWhereThePairIsBorn) {
       << "where a minimum is flat: to the root of round-off";
 }
 
-// Folds of any rotor on any ring, damped lightly or not: found by the closed form's own least
-// friction.
+// Folds of any rotor on any ring, with light damping or not, found as the least friction of the
+// closed form.
 TEST(SteadyRub, NoFoldIsMissed) {
   std::mt19937_64 random(6);
   std::uniform_real_distribution<double> unit(0.0, 1.0);

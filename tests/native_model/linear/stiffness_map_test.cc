@@ -17,7 +17,7 @@ namespace {
 
 using Of = StiffnessMap::Of;
 
-// The map of this kind, which is the only one.
+// The only map of this kind.
 std::optional<StiffnessMap> map_of(Of of, const scene::Scene& scene) {
   std::optional<StiffnessMap> found;
   for (const StiffnessMap& map : stiffness_maps(scene)) {
@@ -28,7 +28,7 @@ std::optional<StiffnessMap> map_of(Of of, const scene::Scene& scene) {
   return found;
 }
 
-// A slender shaft of 1 m on a bearing at either end, softer by far than itself.
+// A slender shaft of 1 m on a bearing at either end that is far softer than the shaft.
 scene::Scene on_two_bearings(double stiffness) {
   scene::RotorGeometry g;
   g.length = 1.0;
@@ -130,7 +130,8 @@ TEST(StiffnessMap, OfAMountHasTheClosedForms) {
   }
 }
 
-// A ring held to a shaft at a station is a disc there, without moments of inertia, on a bearing.
+// A ring that is held to a shaft at a station acts as a disc there, without moments of inertia, on
+// a bearing.
 TEST(StiffnessMap, OfARingIsThatOfAShaftWithADiscOnABearing) {
   scene::Scene s;
   s.rotor.speed = 100.0;

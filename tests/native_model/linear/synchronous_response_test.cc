@@ -1,4 +1,4 @@
-// Bode's plot of a rotor in one mode has a closed form.
+// The Bode plot of a rotor with one mode has a closed form.
 #include "native_model/linear/synchronous_response.h"
 #include "native_model/prepare/prepare.h"
 
@@ -51,7 +51,7 @@ TEST(SynchronousResponse, IsThatOfOneMode) {
   EXPECT_LT(std::arg(probe.deflection.back()), -3.0) << "against it above: it lags";
 }
 
-// Straight lines between the speeds are the curve, to a few thousandths.
+// Straight lines between the speeds equal the curve to a few thousandths.
 TEST(SynchronousResponse, IsDrawnAsItIs) {
   constexpr double kZeta = 0.001;
   const auto response = synchronous_response(unbalanced(kZeta), 2.0 * kOmega);
@@ -114,7 +114,7 @@ TEST(SynchronousResponse, FollowsThePhaseAndTheSense) {
       << "ahead of the mark is behind it when it turns the other way";
 }
 
-// `modes` states the orbit at the scene's speed; here it follows from the equations in another way.
+// `modes` gives the orbit at the scene's speed; here it follows from the equations in another way.
 TEST(SynchronousResponse, AgreesWithTheFreeOrbit) {
   scene::Scene s = unbalanced(0.03);
   s.rotor.modal->stiffness_y = {1.5 * kMass * kOmega * kOmega};
@@ -131,7 +131,7 @@ TEST(SynchronousResponse, AgreesWithTheFreeOrbit) {
   EXPECT_NEAR(half / orbit.largest.value(), 1.0, 1e-6);
 }
 
-// A force that turns with the spin stands for unbalance.
+// A force that turns with the spin acts as unbalance.
 TEST(SynchronousResponse, TakesAForceThatTurnsWithTheSpin) {
   constexpr double kZeta = 0.05;
   scene::Scene s = unbalanced(kZeta);
@@ -147,7 +147,7 @@ TEST(SynchronousResponse, TakesAForceThatTurnsWithTheSpin) {
   EXPECT_FALSE(synchronous_response(s, kOmega)) << "it does not turn with the spin";
 }
 
-// A start of rotor and ring that only go together.
+// A start of rotor and ring that fits only both together.
 TEST(SynchronousResponse, AsksForNoStart) {
   scene::Scene s = unbalanced(0.05);
   test::add_ring(s, 1.0, 200.0, 1e5);

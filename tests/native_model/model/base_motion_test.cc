@@ -110,7 +110,7 @@ TEST(BaseMotion, RandomPhasesAreEven) {
   EXPECT_LT(std::abs(BaseMotion(base).at(0.0).x()), 3.0 * std::sqrt(0.5 * kLines));
 }
 
-TEST(BaseTable, RefusesWhatSaysNothing) {
+TEST(BaseTable, RefusesEmptyTables) {
   using scene::expect_refused;
   const std::string rotor = "[rotor.modal]\nmass = [2.0]\nstiffness = [1e4]\n[base]\n";
   expect_refused({

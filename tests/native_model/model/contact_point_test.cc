@@ -1,5 +1,5 @@
 // The contact of the assembled system: rates against numerical derivatives, loads against virtual
-// power, and the controller's way to the ring.
+// power, and the measurements of the controller.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -64,14 +64,14 @@ TEST(ContactLoad, DoesTheVirtualPowerOfGapRateAndSlip) {
         return f.dot(v);
       };
       EXPECT_NEAR(power(3.0, 0.0), 3.0 * p.gap_rate, 1e-12) << "W_N^T v = gdot_N";
-      // Whatever holds the speed does the rest of the friction's work.
+      // The drive that holds the speed does the rest of the friction's work.
       const double held = drive ? 0.0 : m.first().contact->radius * m.speed;
       EXPECT_NEAR(power(0.0, 2.0), 2.0 * (p.slip - held), 1e-10) << "W_T^T v = gdot_T";
     }
   }
 }
 
-// Keeps what it was shown and asks for a fixed force.
+// Records its measurements and commands a fixed force.
 struct Spy final : Controller {
   mutable Measurement seen;
   mutable int calls = 0;

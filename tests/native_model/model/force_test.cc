@@ -53,7 +53,7 @@ TEST(SmoothForce, GravityPullsOnModesAndRing) {
   test::add_ring(s, 1.5, 0.0, 0.0);
   s.gravity = scene::Gravity{{0.0, -9.81}, {1.9}};
   const Model m = prepare(s);
-  // The buffer holds nonsense: every entry must be written.
+  // The buffer contains garbage, so every entry must be written.
   Eigen::Vector4d rest = Eigen::Vector4d::Zero(), f = Eigen::Vector4d::Constant(std::nan(""));
   smooth_force(m, 0.0, rest.data(), rest.data(), {0.0, 0.0}, f.data());
   EXPECT_EQ(f, Eigen::Vector4d(0.0, 1.9 * -9.81, 0.0, 1.5 * -9.81));
@@ -84,7 +84,7 @@ TEST(AppliedForce, RampsUpLinearlyAndDropsAtOnce) {
   EXPECT_NEAR(f.envelope(0.3), 1.0, 1e-15);
   EXPECT_EQ(f.envelope(0.4999), 1.0);
   EXPECT_EQ(f.envelope(0.5), 0.0);
-  // Switched off within the ramp: it never gets there.
+  // The force is switched off within the ramp, before its full value.
   EXPECT_NEAR(constant(0.1, 0.2, 0.4).envelope(0.1999999), 0.25, 1e-6);
 }
 

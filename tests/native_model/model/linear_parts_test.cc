@@ -103,7 +103,7 @@ TEST(Actuation, MagnetsGiveTheForceAskedFor) {
   }
 }
 
-TEST(Actuation, TheLoadsHoldTheForceOnTheRingAlone) {
+TEST(Actuation, TheLoadsContainOnlyTheForceOnTheRing) {
   const Model m = prepare(magnetic_scene());
   const State s = test::random_state(m, 5);
   const double *q = s.q.data(), *v = s.v.data();

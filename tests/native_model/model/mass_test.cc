@@ -120,7 +120,7 @@ TEST(ContactAdmittance, IsConstantWithoutThatCoupling) {
     const Eigen::Matrix3d exact = j * m.mass.cwiseInverse().asDiagonal() * j.transpose();
     EXPECT_LT((m.first().admittance - exact).norm(), kDense * exact.norm());
     EXPECT_EQ(contact_admittance(m, s.t, s.q.data()), m.first().admittance);
-    // A held speed is an infinite inertia: torsion alone lets the contact turn.
+    // A held speed is an infinite inertia: only torsion lets the contact turn.
     const double torsion = 1.0 / 4e-4 + 1.0 / 1e-4;
     EXPECT_DOUBLE_EQ(m.first().admittance(2, 2), torsion + (drive ? 1.0 / 1e-3 : 0.0));
   }

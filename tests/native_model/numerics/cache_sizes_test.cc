@@ -1,6 +1,6 @@
-// Eigen splits products of matrices by the sizes of the processor's caches, and each way to split
-// them sums in its own order: left to itself it gave the states of a magnetic bearing other last
-// bits on a processor with 48 kB of first cache than on one with 32.
+// Eigen splits products of matrices by the sizes of the processor's caches, and each split has its
+// own order of sums. By default the states of a magnetic bearing differed in their last bits
+// between processors with 48 kB and 32 kB of first-level cache.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>

@@ -45,7 +45,7 @@ TEST(FirstCrossing, SeesTwoRootsCloseTogether) {
   }
 }
 
-TEST(FirstCrossing, RoundOffOfTheStartIsNone) {
+TEST(FirstCrossing, IgnoresRoundOffOfTheStart) {
   Polynomial p = with_roots(1.0, {0.6});
   p.a[0] = 0.0;
   p.a[1] = -1.0;

@@ -18,7 +18,7 @@ MatrixXd random(int rows, int columns, std::mt19937& engine) {
   return MatrixXd::NullaryExpr(rows, columns, [&] { return normal(engine); });
 }
 
-// Written another way than the solver has it: with the inverse of P + ... nowhere.
+// The equation in another form than the solver's, without the inverse of P + ...
 double residual(const MatrixXd& a, const MatrixXd& b, const MatrixXd& q, const MatrixXd& r,
                 const MatrixXd& p) {
   const MatrixXd k = riccati_gain(a, b, r, p), closed = a - b * k;

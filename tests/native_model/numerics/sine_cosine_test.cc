@@ -11,7 +11,7 @@
 namespace rotorub {
 namespace {
 
-// About every quarter of the circle, where a quadrant ends, far from it and beyond the reduction.
+// Angles about the ends of quadrants, far from them and beyond the reduction.
 std::vector<double> angles() {
   std::vector<double> out{0.0, -0.0, 1e-300, 1e-9, 9.99999e5, 1.000001e6, -3e7, 1e15};
   for (int k = -40; k <= 40; ++k) {

@@ -8,7 +8,7 @@
 namespace rotorub {
 namespace {
 
-// Sizes about those of the blocks of rows (8, 4, 2, 1), square and not.
+// Sizes around those of the blocks of rows (8, 4, 2, 1), square and rectangular.
 struct Case {
   int rows, count;
   std::vector<double> columns, in, out;
@@ -39,7 +39,7 @@ double row(const Case& of, int i) {
   return sum;
 }
 
-// Whichever instruction set the processor has: the bits of the plain sum.
+// Any instruction set gives the bits of the plain sum.
 TEST(SmallMatrix, SumsInTheOrderOfColumns) {
   for (Case of : cases()) {
     SCOPED_TRACE(of.rows);

@@ -1,4 +1,4 @@
-// The annular rub put back into the complex equations of motion that it solves.
+// The annular rub, put into the complex equations of motion that it solves.
 #include "native_model/oracles/annular_rub.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ struct Case {
   double clearance, mu, load, frequency;
 };
 
-// Excitation around resonance, loads from too weak to ample.
+// Excitation around resonance, with loads from too small to large.
 Case random_case(std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   Case c;

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "native_model/periodic/forcing.h"
 #include "native_model/periodic/return_map.h"

@@ -2,7 +2,6 @@
 // is run for several of its periods.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <numbers>
 
 #include "native_model/periodic/period_figures.h"
@@ -33,7 +32,7 @@ PeriodicMotion settled(const Model& model, double duration) {
   return found;
 }
 
-// Weight breaks the symmetry of the whip, which comes back once a whirl all the same.
+// Weight breaks the symmetry of the whip, which nevertheless repeats once a whirl.
 TEST(Guesses, AWhipUnderWeight) {
   const Model model = prepare(test::shipped("bench_whip", {"gravity.acceleration=[0.0, -9.81]"}));
   const PeriodicMotion found = settled(model, 0.4);

@@ -146,7 +146,7 @@ TEST(PeriodicMotion, ABounceOnceATurn) {
   EXPECT_EQ(figures.contact_share, 0.0);
 }
 
-// The spin is free, its angle acts on nothing, and the motor holds the speed against friction.
+// The spin is free and its angle has no effect; the motor holds the speed against friction.
 TEST(PeriodicMotion, ARunOfTheBenchRingSettlesToItsRub) {
   const scene::Scene scene = test::shipped("bench_ring");
   const Model model = prepare(scene);

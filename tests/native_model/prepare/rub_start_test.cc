@@ -33,7 +33,7 @@ scene::Scene on(const std::string& name, const std::string& rub,
   return test::shipped(name, overrides);
 }
 
-// But for what round-off of the start closes by.
+// Only the round-off of the start may close the contact, at t = 0.
 void expect_no_impact(const Trajectory& t) {
   for (const Impact& impact : t.impacts) {
     EXPECT_GT(impact.gap_rate_before, -1e-13) << impact.t;
@@ -73,7 +73,7 @@ TEST(RubStart, SynchronousStaysOnTheClosedForm) {
 TEST(RubStart, WhipStaysOnTheClosedForm) {
   const scene::Scene s = on("bench_whip", "whip", {"run.end=2.0"});
   const oracle::ElasticWhip whip = test::whip_of(s);
-  // Two more that stand at this friction are watersheds.
+  // The other two at this friction are watersheds.
   const std::vector<double> all = whip.slipping_whips(s.first().contact->friction.coefficient);
   ASSERT_EQ(all.size(), 3U);
   expect_stays(s, -all[1], whip.normal_force(all[1]), 150.0);
@@ -250,7 +250,7 @@ TEST(RubStartRefusal, SaysWhichRubsThereAre) {
 
 TEST(RubStartRefusal, OfLoads) {
   const scene::Scene good = on("bench_annular_elastic", "synchronous");
-  // `modes` counts what acts from later on, a start does not.
+  // `modes` includes loads that begin later, a start does not.
   scene::Scene s = good;
   s.forces[0].on = 0.1;
   expect_refused(s, "initial.rub", "under what acts at t = 0 (force[0] begins later)");

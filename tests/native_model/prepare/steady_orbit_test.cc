@@ -1,4 +1,4 @@
-// [initial] steady: the start on the orbit that repeats itself, against closed forms of one mode.
+// [initial] steady: a start on the orbit that repeats, against closed forms of one mode.
 #include "native_model/linear/steady_orbit.h"
 #include "native_model/prepare/prepare.h"
 
@@ -74,8 +74,8 @@ TEST(SteadyOrbit, TheLeastGapIsThatOfTheRun) {
   }
 }
 
-// A force that comes on later counts once it acts in full, and two that follow on each other never
-// act together.
+// A force that begins later counts with its full value, and two that follow each other are never
+// added.
 TEST(SteadyOrbit, TheResponseKnowsWhatComesOnLater) {
   scene::Scene s = steady({.mass = 2.0, .damping = 40.0, .stiffness = 2e5, .speed = 250.0});
   s.initial = {};

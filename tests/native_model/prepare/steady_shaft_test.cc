@@ -1,5 +1,4 @@
-// [initial] steady: a shaft with all that a linear rotor can have, whose orbit must come back after
-// each period.
+// [initial] steady: a shaft with every linear part, whose orbit must repeat after each period.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -134,7 +133,7 @@ double unrest(const scene::Scene& s, scene::Integrator integrator, double step, 
 TEST(SteadyOrbit, OfAWholeShaftRepeatsItself) {
   const scene::Scene s = shaft();
   EXPECT_LT(unrest(s, scene::Integrator::kEvent, 1e-5, 5), 1e-10);
-  // A start that is 1 % off is seen: the orbit is what is repeated, not anything.
+  // A start that is 1 % off must be detected: the test does not accept any motion.
   scene::Scene off = s;
   off.initial.vx = {1e-3, 0.0, 0.0};
   EXPECT_GT(unrest(off, scene::Integrator::kEvent, 1e-5, 5), 1e-3);
@@ -153,8 +152,8 @@ TEST(SteadyOrbit, FixedStepsComeToItWithTheSquareOfTheStep) {
 }
 
 // ---------------------------------------------------------------- refusals
-// What [initial] steady refuses: an orbit that touches, that nothing holds or bounds, or that is
-// not there yet.
+// [initial] steady refuses an orbit that touches, that nothing holds or bounds, or that does not
+// exist yet.
 
 std::string refusal(const scene::Scene& s) {
   const scene::Diagnostic d = test::refusal(s);

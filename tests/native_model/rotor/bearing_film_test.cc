@@ -1,5 +1,5 @@
-// Bearings that cross the planes, follow the speed or stand off the line, against closed forms: a
-// shaft so stiff on bearings so soft that it is a rigid body.
+// Bearings that couple the planes, depend on the speed or are off the line, against closed forms:
+// the shaft is so stiff and its bearings so soft that it is a rigid body.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -111,8 +111,8 @@ TEST(BearingFilm, TheBorderOfStability) {
   }
 }
 
-// The run grows as the eigenvalue says, in its sense: the equations of motion are those of the
-// spectrum.
+// The run grows as the eigenvalue predicts, in its sense: run and spectrum have the same equations
+// of motion.
 TEST(BearingFilm, ARunWhirlsAsTheEigenvalue) {
   const double cross = 4000.0;
   const auto [forward, backward] = translation(cross, 7.0);
@@ -163,7 +163,8 @@ TEST(BearingFilm, ATableAtASpeedIsItsCoefficientsThere) {
   for (const char* name : {"x_1", "y_1", "x_2", "y_2"}) {
     EXPECT_NEAR(runs[0].column(name).back(), runs[1].column(name).back(), 1e-13) << name;
   }
-  // Elsewhere than at the speed of the scene: the spectrum at 200 rad/s has those of 200 rad/s.
+  // At another speed than that of the scene: the spectrum at 200 rad/s uses the coefficients of 200
+  // rad/s.
   const scene::Scene faster =
       rigid({std::string("rotor.bearing[0]") + kTables, "rotor.speed=200.0"});
   const auto a = whirl_eigenvalues(whirl_system(at_point), 200.0),
@@ -173,7 +174,7 @@ TEST(BearingFilm, ATableAtASpeedIsItsCoefficientsThere) {
     EXPECT_LT(std::abs(a[k] - b[k]), kStiff * std::abs(b[k]));
 }
 
-// A critical speed is one of the rotor whose springs are held at that speed's, and no other is.
+// Each critical speed is one of the rotor whose springs are constant with the values of that speed.
 TEST(BearingFilm, CriticalSpeedsAreTheirOwnSpringsOnes) {
   const std::string tables =
       "={z=0.0,table_speed=[20.0,60.0,90.0,150.0],table_kxx=[2e3,1e4,1.6e4,4e4]}";
@@ -191,8 +192,8 @@ TEST(BearingFilm, CriticalSpeedsAreTheirOwnSpringsOnes) {
       least = std::min(least, std::abs(other - speed));
     EXPECT_LT(least, 1e-5) << speed;
   }
-  // Springs that stiffen as the square of the speed, or faster, leave no crossing: found none,
-  // invented none.
+  // Springs that stiffen as the square of the speed, or faster, leave no crossing, and none is
+  // found.
   const std::vector<double> none =
       critical_speeds(whirl_system(rigid({"rotor.bearing[0]={z=0.0,table_speed=[10.0,20.0,40.0,80."
                                           "0,160.0],table_kxx=[1e4,4e4,1.6e5,6.4e5,2.56e6]}",
@@ -221,8 +222,8 @@ TEST(BearingFilm, TwoCriticalSpeedsCloseTogetherAreFound) {
   }
 }
 
-// Both bearings off by the same: the rotor rests there. One: its middle half of it, beside what
-// weight bends.
+// If both bearings are off by the same offset, the rotor rests there; if one is, the middle of the
+// rotor by half of it, in addition to the sag.
 TEST(BearingFilm, BearingsOffTheLineCarryTheRotorThere) {
   for (const bool film : {false, true}) {
     std::vector<std::string> overrides{
@@ -242,7 +243,7 @@ TEST(BearingFilm, BearingsOffTheLineCarryTheRotorThere) {
     if (film) continue;  // the film turns the force of one bearing against that of the other
     EXPECT_LT((middle - Eigen::Vector2d(15e-6, -10e-6)).norm(), kStiff * 36e-6);
   }
-  // At rest there, and moved by nothing: the run stays.
+  // At rest there and without loads, the run stays.
   scene::Scene s = rigid({"rotor.bearing[0].offset=[3e-5,0.0]", "initial.steady=true",
                           "gravity={acceleration=[0.0,-9.81]}"});
   const Trajectory t = run_native(s);

@@ -1,5 +1,5 @@
-// The modes that are not kept: as few modes as the tolerance allows, against trying every number;
-// what an impact meets.
+// The modes that are not kept: the least number that satisfies the tolerance, against trying every
+// number; and the effective mass of impacts.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@
 namespace rotorub {
 namespace {
 
-// The rig with a sleeve of so many kg at the contact, and a force at 0.42 m.
+// The rig with a sleeve of `sleeve` kg at the contact, and a force at 0.42 m.
 scene::Scene rig(double sleeve) {
   scene::Scene s = test::reference_rig();
   if (sleeve > 0.0) {
@@ -62,7 +62,7 @@ double left_out(scene::Scene s, int n) {
   return worst;
 }
 
-TEST(AutoModes, IsTheLeastNumberThatDoes) {
+TEST(AutoModes, IsTheLeastSufficientNumber) {
   for (const auto& [sleeve, tolerance] :
        std::vector<std::pair<double, double>>{{5.0, 0.02}, {2.0, 0.05}, {0.2, 0.5}}) {
     SCOPED_TRACE(sleeve);
@@ -82,7 +82,7 @@ TEST(AutoModes, RefusesAStationWithoutMassAndSaysWhy) {
        "Set a modes_tolerance well above"}));
 }
 
-// Static flexibilities alone have a limit on any shaft.
+// Only static flexibilities converge on any shaft.
 TEST(AutoModes, NeedsNoSleeveWithoutAContact) {
   scene::Scene s = rig(0.0);
   s.first().contact.reset();
@@ -134,7 +134,7 @@ TEST(ContactMass, FallsWithTheModesWithoutASleeve) {
   EXPECT_TRUE(contact_mass(test::shipped("paper_passive", {"rotor.modes=2"}))->truncated());
 }
 
-// A sleeve of 50 kg is what an impact meets, whatever the modes, once one of them is its own.
+// Impacts meet a sleeve of 50 kg, whatever the modes, once one of them is that of the sleeve.
 TEST(ContactMass, OfAHeavySleeveIsTheSleeve) {
   const scene::Scene scene =
       test::shipped("paper_passive",
@@ -161,7 +161,7 @@ TEST(ContactMass, IsThatOfTheContactWhoseImpactsLeaveOutMost) {
   EXPECT_NEAR(swapped.mesh, mass.mesh, 1e-9 * mass.mesh);
 }
 
-TEST(ContactMass, IsNotAskedOfModalData) {
+TEST(ContactMass, IsUnknownForModalData) {
   EXPECT_FALSE(contact_mass(test::shipped("bench_ring")));
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <complex>
 #include <string>
-#include <vector>
 
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/rotor/rotor_modes.h"

@@ -76,8 +76,8 @@ TEST(RotorModes, FriswellRotorAtRest) {
   }
 }
 
-// The mesh is an internal affair: cuts that change nothing, however short, and more modes than
-// wanted give the same low frequencies.
+// The mesh does not affect the result: cuts without effect, however short, and more modes than
+// requested give the same low frequencies.
 TEST(RotorModes, DoNotDependOnTheMesh) {
   scene::Scene plain = test::reference_rig();
   const RotorModes expected = rotor_modes(plain);
@@ -195,9 +195,9 @@ TEST(IntegratedLegendre, IntegralsAgreeWithQuadrature) {
 }
 
 // ---------------------------------------------------------------- known modes
-// The modes of a shaft that was solved before are those of a fresh solution.
+// The modes of a shaft that was solved before equal those of a new solution.
 
-// More shafts than are remembered: afterwards any other is solved anew.
+// More shafts than the cache holds, so that any other is solved again.
 void forget_modes() {
   for (int k = 0; k < 12; ++k) {
     rotor_modes(test::shipped("blade_loss", {"rotor.rho=" + std::to_string(7000 + k)}));
@@ -225,8 +225,8 @@ struct Change {
 };
 class KnownModes : public testing::TestWithParam<Change> {};
 
-// Asked for again, and after another shaft that differs in one number: to the bit, as from the
-// start. What the modes do not depend on changes nothing.
+// A repeated request, also after another shaft that differs in one number, gives the same bits.
+// Values that do not affect the modes do not affect the cache.
 TEST_P(KnownModes, AreThoseOfAFreshSolution) {
   const auto& [name, set] = GetParam();
   const scene::Scene first = test::shipped(name), changed = test::shipped(name, {set});

@@ -66,7 +66,7 @@ TEST_P(StepwiseOfScene, GivesTheRowsOfARunToTheBit) {
   StepwiseRun plant(scene);
   for (std::size_t row = 0; row < run.rows(); ++row) {
     if (row > 0) {
-      // It does not matter where it stops on its way, nor whether somebody looks at it there.
+      // Neither the stops on the way nor reading the outputs there affect the result.
       const double from = run.column("t")[row - 1], to = run.column("t")[row];
       for (const double share : {0.137, 0.5})
         ASSERT_TRUE(plant.advance(from + share * (to - from)));
@@ -76,7 +76,7 @@ TEST_P(StepwiseOfScene, GivesTheRowsOfARunToTheBit) {
     expect_row(plant, run, row);
     if (HasFatalFailure()) return;
   }
-  // One that gives is an impact once it is over; a run ends those that are not.
+  // A compliant contact counts as an impact when it is over; a run ends those that are not.
   const bool pressing =
       scene.first().contact && scene.first().contact->compliance && output(plant, "mode") != 0.0;
   EXPECT_EQ(output(plant, "impacts"), static_cast<double>(counted(run) - (pressing ? 1 : 0)));
@@ -124,8 +124,8 @@ TEST(Stepwise, ASavedStateGoesOnAsTheFirstTime) {
   }
 }
 
-// The same loads and commands, known beforehand: there steps end where they jump, here they are
-// cut.
+// The same loads and commands, known beforehand: there steps end where they jump, here the steps
+// are truncated.
 TEST(Stepwise, InputsAreTheForcesAndCommandsOfARun) {
   const scene::Scene scene = shipped("bench_ring", {"run.end=0.04", "contact.clearance=5 mm"});
   scene::Scene loaded = scene;

@@ -1,4 +1,4 @@
-// Discs in an engineer's words, against the numbers that they stand for; and keys with two names.
+// Discs described by dimensions, against their mass and inertia; and keys with two names.
 #include "native_model/scene/disc.h"
 
 #include <gtest/gtest.h>

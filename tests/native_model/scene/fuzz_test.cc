@@ -1,5 +1,5 @@
-// Nasty input: whatever the text, there is a scene or a SceneError. Never another exception, never
-// the end of the program.
+// Nasty input: any text gives a scene or a SceneError, never another exception or the end of the
+// program.
 
 #include <gtest/gtest.h>
 
@@ -135,7 +135,7 @@ TEST(Fuzz, DamagedScenesAreReadOrRefused) {
     }
     if (outcome(text) == Outcome::kRefused) ++refused;
   }
-  // Both ways happen: the damage is neither harmless nor always fatal.
+  // Both outcomes occur: the damage is neither always harmless nor always fatal.
   EXPECT_GT(refused, kRounds / 4);
   EXPECT_LT(refused, kRounds);
 }
@@ -154,7 +154,7 @@ TEST(Fuzz, NastyOverridesAreReadOrRefused) {
   }
 }
 
-// Every part of a scene is set to something that is no table.
+// Every part of a scene is replaced by a value that is not a table.
 TEST(Fuzz, PartsThatAreNoTablesAreReadOrRefused) {
   for (const std::string_view sample : {kModalSample, kGeometrySample, kFullModalScene}) {
     for (const Table& table : tables()) {
@@ -167,7 +167,7 @@ TEST(Fuzz, PartsThatAreNoTablesAreReadOrRefused) {
   }
 }
 
-// Whatever overrides leave behind can be read again, or the scene would not survive its MJCF.
+// The text after any overrides can be read again; otherwise the scene would not survive its MJCF.
 TEST(Fuzz, OddTextSurvivesRewriting) {
   const std::string text = "# \u00e4 comment\n" + std::string(kFullModalScene);
   const std::vector<std::string> overrides = {"contact.friction=1e-320", "run.end=0x10"};

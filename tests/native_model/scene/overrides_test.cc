@@ -53,7 +53,7 @@ TEST(Overrides, TakeWordsOfTheLastReleaseWithANote) {
   EXPECT_TRUE(with({"run.integrator=euler"}).notes.empty());
 }
 
-// A name plate's speed without its unit is taken in rad/s, with a word on it.
+// A speed without a unit, as on a name plate, is taken in rad/s, with a note.
 TEST(Overrides, ASpeedThatReadsAsTurnsPerMinuteIsNoted) {
   const Scene plain = with({"rotor.speed=3600"});
   EXPECT_EQ(plain.rotor.speed, 3600.0);

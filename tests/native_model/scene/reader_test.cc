@@ -115,7 +115,7 @@ TEST(Reader, TakesTheShearModulusFromNuOrAsItIs) {
   };
   EXPECT_EQ(with("nu = 0.25").geometry->G, 2.1e11 / 2.5);
   EXPECT_EQ(with("G = \"81.2 GPa\"").geometry->G, 81.2e9);
-  // Torsion is damped as bending is, unless it says otherwise.
+  // Torsion is damped as bending is, unless the scene sets it.
   EXPECT_EQ(with("nu = 0.3\ndamping_ratio = 0.01").torsion->damping_ratio, 0.01);
 }
 
@@ -150,7 +150,7 @@ TEST(Reader, TakesALineEndingOrAByteOrderMarkFromOtherSystems) {
   EXPECT_EQ(parse_scene(text, "scene.toml").first().contact->friction.coefficient, 0.15);
 }
 
-// But for the controller, and the step.
+// Everything but the controller and the step.
 TEST(Reader, ThePaperScenesAreOneRig) {
   const std::string passive = read_scene(shipped("paper_passive")).text,
                     sliding = read_scene(shipped("paper_sliding")).text;
@@ -198,7 +198,7 @@ TEST(Variants, EachIsRefusedByItself) {
   EXPECT_EQ(variants.scene(good, false).first().contact->friction.coefficient, 0.5);
 }
 
-// The short way for plain decimal numbers takes nothing but those.
+// The fast path for plain decimal numbers accepts nothing else.
 TEST(Variants, NumbersAreThoseOfToml) {
   const Variants variants(kRing);
   for (const char* text : {".", "1.5.2", "1.5e", "--1.5", "1.5-2"}) {

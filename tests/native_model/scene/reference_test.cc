@@ -51,7 +51,7 @@ std::string value_text(const Key& key) {
   return text;
 }
 
-// The quantity's name ("a force") is the meaning where no other is given.
+// Without another description the quantity's name ("a force") is the meaning.
 std::string meaning_text(const Key& key) {
   std::string text(key.meaning.empty() ? key.quantity.name : key.meaning);
   std::string limits;
@@ -96,7 +96,7 @@ std::string reference_markdown() {
   return text;
 }
 
-// ROTORUB_UPDATE_REFERENCE=1 in the environment writes it instead.
+// ROTORUB_UPDATE_REFERENCE=1 in the environment writes the section instead.
 TEST(Reference, StandsInTheDocumentAsTheSchemaHasIt) {
   const std::string path = std::string(ROTORUB_MJCF_DIR) + "/docs/keys.md";
   std::ifstream file(path);

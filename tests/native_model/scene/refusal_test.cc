@@ -318,7 +318,7 @@ TEST(Refusal, NamesWhatDoesNotFitTogether) {
 }
 
 // ---------------------------------------------------------------- depth of keys
-// What the limit protects is the stack: it counts the dots of keys, whatever the values hold.
+// The limit protects the stack: it counts the dots of keys, whatever the values contain.
 
 std::string times_over(const std::string& text, int times) {
   std::string all;

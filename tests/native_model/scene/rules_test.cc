@@ -1,4 +1,4 @@
-// [[check]]: read as it stands, refused where it contradicts itself, and no part of the scene.
+// [[check]] is read, refused if it contradicts itself, and does not belong to the scene.
 #include "native_model/scene/rules.h"
 
 #include <gtest/gtest.h>

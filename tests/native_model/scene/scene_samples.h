@@ -1,5 +1,5 @@
-// Scenes that several tests change in one place; bad ones, with a part replaced or added, and what
-// is said of them.
+// Scenes that several tests modify in one place; bad ones, with a part replaced or added, and their
+// messages.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// No heap allocation in a step. This program's operator new counts; what the sanitizers replace
-// themselves is left to them, and the test says so.
+// A step allocates nothing on the heap. This program's operator new counts; with sanitizers, which
+// replace the operator themselves, the tests are skipped.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,8 +28,8 @@ class Allocation : public testing::Test {
  protected:
   void SetUp() override {
     if (!ROTORUB_COUNTS_ALLOCATIONS) GTEST_SKIP() << "the sanitizer owns operator new";
-    // The counter counts, or nothing below means anything. A direct call: no compiler may take it
-    // away as it may a new-expression.
+    // The counter works; otherwise the tests below prove nothing. It is a direct call, because a
+    // compiler may remove a new-expression.
     const std::int64_t before = allocations;
     ::operator delete(::operator new(64));
     ASSERT_EQ(allocations - before, 1);
@@ -107,7 +107,7 @@ TEST_F(Allocation, NoneInAStepOrEventOfEvent) {
   }
 }
 
-// The one law whose arithmetic is a library's.
+// The only law whose arithmetic is in a library.
 TEST_F(Allocation, NoneInAForceTable) {
   const ForceTable table({{-1e-3, -5e-4, 5e-4, 1e-3},
                           {-2.0, -1.0, 1.0, 2.0},

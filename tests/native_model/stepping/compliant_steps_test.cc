@@ -1,4 +1,4 @@
-// Contacts that give, in fixed steps: against `event`, at second order through every touch.
+// Compliant contacts in fixed steps: against `event`, of second order through every touch.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using test::make_scene;
 using test::run_event;
 using test::run_with;
 
-// A rotor that spins freely on a spring, thrown into a ring of its own.
+// A rotor that spins freely on a spring, thrown into its own ring.
 scene::Scene thrown(const Compliance& compliance, double friction) {
   scene::Scene s = make_scene(
       {.damping = 20.0, .stiffness = 4e4, .friction = friction, .restitution = 0.7, .speed = 20.0});
@@ -64,7 +64,7 @@ TEST(CompliantSteps, AreOfSecondOrderThroughEveryTouch) {
   }
 }
 
-// A rotor that rolls in the wall, to and fro at its bottom, while it is pressed in and out.
+// A rotor that rolls in the wall, to and fro at its bottom, while a load presses and releases it.
 scene::Scene rolling(const Compliance& compliance) {
   scene::Scene s = thrown(compliance, 0.9);
   s.rotor.speed = 0.0;
@@ -136,7 +136,7 @@ TEST(CompliantSteps, KeepTheirStepToTheStiffness) {
   const Trajectory t = test::attempt_with(s, Integrator::kVerlet, 1e-4);
   EXPECT_EQ(t.status, Status::kStepTooLarge);
   EXPECT_NE(t.message.find("the contact's stiffness"), std::string::npos) << t.message;
-  // Of Hertz's law the stiffness is that of the depth.
+  // In Hertz's law the stiffness is that of the depth.
   s.first().contact->compliance = Compliance{.stiffness = 1e11, .exponent = 1.5};
   EXPECT_EQ(test::attempt_with(s, Integrator::kVerlet, 1e-4).status, Status::kStepTooLarge);
 }

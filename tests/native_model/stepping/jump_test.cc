@@ -82,7 +82,7 @@ TEST(VerletJump, ALoadThatEndsOpensTheContactOfADrivenRotor) {
                     "drive={kind='linear',gain=0.5,speed=300.0}"});
 }
 
-// It sticks, and is torn off; it slides, and is stopped.
+// It sticks and is torn off; it slides and is stopped.
 TEST(VerletJump, ALoadAcrossTurnsTheSlip) {
   const std::vector<std::string> still = {kRing, "rotor.speed=0.0", "contact.friction=0.5"};
   expect_order_two("force[1]={kind='constant',vector=[0.0,80.0],on=AT}", still);

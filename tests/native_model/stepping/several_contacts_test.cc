@@ -1,4 +1,4 @@
-// Fixed steps of several contacts: order of convergence to `event`, and what has a closed form.
+// Fixed steps of several contacts: order of convergence to `event`, and closed forms.
 
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(, TwoRings,
 
 class SeveralContactsBy : public testing::TestWithParam<Integrator> {};
 
-// Both ends at once on half the mode: what the same scheme gives with one contact.
+// Both ends at once on half the mode: the result of the same scheme with one contact.
 TEST_P(SeveralContactsBy, ACylindricalRubIsThatOfOneContact) {
   const scene::Scene two = test::two_rings_scene("cylindrical");
   scene::Scene one = two;
@@ -130,7 +130,7 @@ TEST_P(SeveralContactsBy, HaveControllersOfTheirOwn) {
               bound);
 }
 
-// Any order of the contacts is the same machine.
+// The order of the contacts has no effect.
 TEST_P(SeveralContactsBy, HaveNoOrder) {
   scene::Scene s = driven_rings();
   s.auxiliary.push_back(s.auxiliary[1]);
@@ -187,7 +187,7 @@ TEST(SeveralContactsJump, IsThatOfOneContact) {
   }
 }
 
-// What only one contact has in a fixed step is refused where it stands.
+// Properties that a fixed step supports only for one contact are refused at their place.
 TEST(SeveralContactsRefusals, NameTheKeyOfTheContact) {
   const auto refusal = [](const std::string& override) {
     const std::vector<std::string> overrides = {override};
@@ -204,7 +204,7 @@ TEST(SeveralContactsRefusals, NameTheKeyOfTheContact) {
       {"contact[1].actuator.coil_lag", "the integrator event"}));
 }
 
-// A rotor at rest on both rings stays there: the weight is carried, and nothing bounces.
+// A rotor at rest on both rings stays there: the rings carry the weight, and nothing bounces.
 TEST_P(SeveralContactsBy, ARestingShaftStaysAtRest) {
   scene::Scene s = test::shaft_in_two_rings(3.0, 1.2, -0.7, {.friction = 0.3, .restitution = 0.5});
   test::add_constant_force(s, {0.0, -30.0});

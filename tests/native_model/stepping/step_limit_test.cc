@@ -1,5 +1,5 @@
-// Steps that are too long for what acts in them are refused, or the run says that its energy does
-// not add up.
+// Steps that are too long for the loads are refused, or the run reports that its energy balance
+// does not close.
 #include "native_model/stepping/step_limit.h"
 #include "native_model/prepare/prepare.h"
 
@@ -57,7 +57,7 @@ TEST(StepLimit, IsHeldToTheDampingOfHuntAndCrossleyAsItGoes) {
   run_with(pressed("hunt_crossley = 1.0\n"), scene::Integrator::kVerlet);
 }
 
-// Two equal rings: it does not matter which one has the controller.
+// Two equal rings: it does not matter which of them has the controller.
 TEST(StepLimit, IsThatOfTheControllerOfAnyRing) {
   const std::string ring = R"(
 [[contact]]
@@ -129,7 +129,7 @@ stiffness = )" + gain + "\n")));
 }
 
 // ---------------------------------------------------------------- rolling
-// Two contacts of which one rolls faster than a step can follow.
+// Two contacts, of which one rolls faster than a step can follow.
 
 // A rotor that rolls in its ring at 142,000 rad/s turns by a radian a step: such a step may be too
 // large, but it is no jamming, which two equal planes and a held spin cannot have.

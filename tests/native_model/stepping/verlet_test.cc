@@ -45,7 +45,7 @@ void expect_second_order(const Convergence& all) {
 }
 
 // ---------------------------------------------------------------- against `event`
-// Without rebound the first impact is the last, and is located all the same.
+// Without rebound the first impact is the last, and it is still located.
 TEST(Verlet, BenchRingOverTheWholeRunWithAndWithoutRestitution) {
   for (const char* restitution : {"contact.restitution=0.5", "contact.restitution=0.0"}) {
     SCOPED_TRACE(restitution);
@@ -59,7 +59,7 @@ TEST(Verlet, BenchRingOverTheWholeRunWithAndWithoutRestitution) {
   }
 }
 
-// Straight flights and located impacts: nothing is left but round-off.
+// With straight flights and located impacts only round-off is left.
 TEST(Verlet, BenchBilliardIsExact) {
   const scene::Scene scene = shipped("bench_billiard");
   const Trajectory exact = run_with(scene, scene::Integrator::kEvent);
@@ -129,8 +129,8 @@ TEST(Verlet, SettlesOnTheWhip) {
 }
 
 // ---------------------------------------------------------------- impacts that take time
-// As `event` has them: the same impulses, the contact time of their phases, a balance that closes,
-// and rows within them.
+// As in `event`: the same impulses, the contact time of their phases, a balance that closes, and
+// rows within them.
 TEST(Verlet, FollowsImpactsThatTakeTime) {
   scene::Scene scene =
       shipped("bench_ring", {"contact.compression_time=1e-3", "contact.expansion_time=5e-4",
@@ -159,7 +159,7 @@ TEST(Verlet, FollowsImpactsThatTakeTime) {
   EXPECT_TRUE(within);
 }
 
-// Without restitution what closes after an impact closes by round-off, and is no second one.
+// Without restitution, closing after an impact is round-off and not a second impact.
 TEST(Verlet, AnImpactWithoutRestitutionIsOne) {
   const scene::Scene s = scene::parse_scene(R"(
 [run]

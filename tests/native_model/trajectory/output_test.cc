@@ -1,5 +1,5 @@
-// The files of a run: headers word for word, numbers that read back to the same bits, whole or not
-// at all.
+// The files of a run: headers word for word, numbers that read back to the same bits, files that
+// are complete or absent.
 #include "native_model/trajectory/output.h"
 #include "native_model/prepare/prepare.h"
 
@@ -48,7 +48,7 @@ class OutputTest : public ::testing::Test {
   const test::TemporaryFolder folder_;
 };
 
-// Written aside under a name that nobody knows before, in a file that was not there.
+// The temporary file has an unpredictable name and did not exist before.
 TEST_F(OutputTest, IsWrittenAsideUnderANameOfItsOwn) {
   const fs::path first = part_of(folder_ / "a.csv"), second = part_of(folder_ / "a.csv");
   EXPECT_NE(first, second);
@@ -150,7 +150,7 @@ TEST_F(OutputTest, NothingHappenedIsAHeaderAlone) {
   EXPECT_EQ(files(), 2u) << "and nothing is left aside";
 }
 
-// The message of the failure to write `file`; empty: it is written.
+// The message of the failure to write `file`; empty if it is written.
 std::string failure(const fs::path& file, const std::string& text) {
   return test::message_of<std::runtime_error>([&] { write_whole(file, text); });
 }
@@ -177,7 +177,7 @@ TEST_F(OutputTest, ATargetThatCannotBeReplacedLeavesNothingAside) {
 
 TEST_F(OutputTest, AFullDiskKeepsTheOldFileAndNoHalfOfTheNew) {
   write_whole(folder_ / "a.txt", "old");
-  // A bound on the size of files stands for the disk.
+  // A limit on the size of files simulates a full disk.
   rlimit before{};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
@@ -192,7 +192,8 @@ TEST_F(OutputTest, AFullDiskKeepsTheOldFileAndNoHalfOfTheNew) {
   EXPECT_EQ(files(), 1u);
 }
 
-// Renamed over, a device would be gone. (By a link, so that a mistake costs the link alone.)
+// Renaming a file over a device would remove the device. (The device is a link, so that a mistake
+// costs only the link.)
 TEST_F(OutputTest, ADeviceIsWrittenAndNotReplaced) {
   fs::create_symlink("/dev/full", folder_ / "full");
   const std::string said = failure(folder_ / "full", "text");

@@ -1,5 +1,5 @@
-// Rows: when they are written (multiples of the spacing, the end, and what was asked for beside),
-// at exactly the times asked for, interpolated as promised.
+// Rows are written at multiples of the spacing, at the end, and at requested times, exactly there,
+// with the documented interpolation.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -158,7 +158,7 @@ TEST(OutputTimes, AreMultiplesTheEndAndTheTimesAskedFor) {
       {0.05, {}, {0.0, 0.05}},
       {0.4, {0.1234, 0.2, 0.2, 0.0, 0.4, 0.35}, {0.0, 0.1, 0.1234, 0.2, third, 0.35, 0.4}},
       {0.5, {0.3}, {0.0, 0.1, 0.2, 0.3, 0.4, 0.5}},
-      // Two requests are two requests, however near.
+      // Two requests give two rows, however close they are.
       {0.5, {0.3, next}, {0.0, 0.1, 0.2, 0.3, next, 0.4, 0.5}},
   };
   for (const auto& c : cases) EXPECT_EQ(output_times(make_run(c.end, 0.1, c.asked)), c.expected);
@@ -173,7 +173,7 @@ TEST(OutputTimes, AThousandRowsByDefault) {
 }
 
 TEST(OutputTimes, TheEndIsMetOnceForAnySpacing) {
-  // Where the last multiple is off the end by round-off, either way, it is the end.
+  // If round-off puts the last multiple off the end, in either direction, it is the end.
   for (const double end : {0.1, 0.3, 0.7, 1.1, 2.3, 1.0 / 3.0}) {
     for (const int parts : {3, 7, 10, 30, 49, 1000}) {
       const std::vector<double> times = output_times(make_run(end, end / parts));

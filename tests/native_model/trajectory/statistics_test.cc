@@ -79,7 +79,7 @@ TEST(Statistics, ContactIsCountedFromFirstTouch) {
   EXPECT_LT(s.friction_work, 0.0) << "friction only takes";
 }
 
-// One contact lasts while another is hit: the step is one step of contact.
+// One contact lasts while another is hit: the step counts as one step of contact.
 TEST(Statistics, AnImpactBesideLastingContactTakesNoTimeOfItsOwn) {
   const Model m = prepare(test::make_scene({}));
   const double q[] = {0.5e-3, 0.0}, v[] = {0.0, 0.0};
@@ -164,7 +164,7 @@ TEST(FullPasses, OfAWhirl) {
   }
 }
 
-// Rocks for 1 s, then goes backward three times in 0.3 s, comes back to rock.
+// The rotor rocks for 1 s, then turns backward three times in 0.3 s, and rocks again.
 TEST(FullPasses, BetweenRocking) {
   const FullPasses p = followed(2.5, 1e-3, [](double t) {
     if (t < 1.0) return -1.5 + 0.8 * std::sin(kTurn * 4.0 * t);
@@ -177,7 +177,7 @@ TEST(FullPasses, BetweenRocking) {
 }
 
 // ---------------------------------------------------------------- range
-// A rotor or a ring beyond what holds it.
+// A rotor or a ring that has left its support.
 
 constexpr double kAirGap = 1e-3;  // m
 

@@ -1,6 +1,6 @@
-// A stranger's program: reads bench_ring with the installed library, runs it natively and loads it
-// into MuJoCo, and asks both something that can be worked out by hand. Prints what is wrong; exit
-// code 1 then.
+// A user's program: reads bench_ring with the installed library, runs it natively, loads it into
+// MuJoCo, and compares both with values computed by hand. It prints errors and then has the exit
+// code 1.
 
 #include <mujoco/mujoco.h>
 

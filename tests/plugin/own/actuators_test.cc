@@ -1,5 +1,5 @@
-// Actuators of others beside the contact: each callback is asked as often as in MuJoCo alone, so
-// that one that counts or filters is the same with the plugin, to the bit.
+// Foreign actuators beside the contact: each callback is called as often as in MuJoCo alone, so
+// that one that counts or filters gives the same bits with the plugin.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -16,7 +16,7 @@ namespace {
 
 int gains = 0, biases = 0, rates = 0;
 
-// Each depends on how often it was asked.
+// Each depends on the number of its calls.
 mjtNum counting_gain(const mjModel*, const mjData*, int) { return 1.0 + 1e-3 * ++gains; }
 mjtNum counting_bias(const mjModel*, const mjData* d, int) { return 1e-3 * ++biases - d->qvel[0]; }
 mjtNum counting_rate(const mjModel*, const mjData* d, int id) {
@@ -43,7 +43,7 @@ class OwnActuators : public MujocoTest {
     mjcb_act_gain = counting_gain, mjcb_act_bias = counting_bias, mjcb_act_dyn = counting_rate;
   }
   static void forget() { gains = biases = rates = 0; }
-  // Asks after a run, and its state.
+  // The numbers of calls after a run, and its state.
   static std::vector<double> run(const mjModel* m, int steps, double start_x) {
     const DataPointer d = start(m);
     forget();
@@ -59,7 +59,7 @@ class OwnActuators : public MujocoTest {
 constexpr int kActuatorSteps = 50;
 
 TEST_F(OwnActuators, AreAskedOnceAPassAndMoveAsWithoutThePlugin) {
-  // In flight; alone MuJoCo would collide a soft pair's drawn shapes.
+  // In flight; MuJoCo alone would collide the drawn shapes of a soft pair.
   install();
   const std::vector<double> plain =
       run(load(document(with_actuator("rigid"))).get(), kActuatorSteps, 0.0);
@@ -72,7 +72,7 @@ TEST_F(OwnActuators, AreAskedOnceAPassAndMoveAsWithoutThePlugin) {
       const ModelPointer m = load(document(with_actuator(contact)));
       if (!before) install();
       EXPECT_EQ(run(m.get(), kActuatorSteps, 0.0), plain) << contact << before;
-      // In the contact, where the force is needed before.
+      // In contact, where the force is needed earlier.
       run(m.get(), kActuatorSteps, 5e-4 + 1e-8);
       EXPECT_EQ((std::array{gains, biases, rates}),
                 (std::array{kActuatorSteps, kActuatorSteps, kActuatorSteps}))
@@ -93,7 +93,7 @@ TEST_F(OwnActuators, AreAskedAnewWhereTheControlIsSetBetweenTheHalvesOfAStep) {
   d->ctrl[0] = 2.0;
   mj_step2(m.get(), d.get());
   EXPECT_EQ(rates, 2);
-  // The rate is that of the control of now.
+  // The rate uses the present control.
   EXPECT_DOUBLE_EQ(d->act[0], m->opt.timestep * (2e-2 + 2.0));
 }
 

@@ -54,7 +54,7 @@ TEST_F(Axial, CoulombHasBothDirectionsToo) {
 }
 
 // MuJoCo's own cone has both directions in the frame of its contact. Its friction reference lets a
-// contact that slides hop; on the mean it brakes as it should.
+// sliding contact hop; on average it brakes as it should.
 TEST_F(Axial, AsMujocosCone) {
   for (const double mu : {0.1, 0.5}) {
     Lift x;
@@ -85,7 +85,7 @@ TEST_F(Axial, AsMujocosCone) {
   }
 }
 
-// A pair that has one value of friction has MuJoCo's default, 1, for the second.
+// A pair with one value of friction has MuJoCo's default, 1, for the second.
 TEST_F(Axial, TheConesTwoFrictionsAreHeldAgainstTheText) {
   Lift x;
   x.contact = "cone";
@@ -93,7 +93,7 @@ TEST_F(Axial, TheConesTwoFrictionsAreHeldAgainstTheText) {
                  "friction along the axis, the second value, is 1");
 }
 
-// mu N = 50 N is beyond the weight: it brakes with the difference, and then stands, not creeping.
+// mu N = 50 N exceeds the weight: it brakes with the difference, and then stands without creeping.
 TEST_F(Axial, StopsAndSticksUnderItsWeight) {
   const ModelPointer m = load(document(Lift{}));
   const DataPointer d = pressed(m.get(), -1.0);
@@ -109,8 +109,8 @@ TEST_F(Axial, StopsAndSticksUnderItsWeight) {
   EXPECT_LT(std::abs(height - where), 1e-14);
 }
 
-// As heavy round its axis as along it, J = m r^2: the slip keeps its direction and falls by mu N /
-// m.
+// With equal inertia around and along its axis, J = m r^2, the slip keeps its direction and falls
+// by mu N / m.
 TEST_F(Axial, FrictionIsSharedAsTheSlipIs) {
   const ModelPointer m = load(document(held_across()));
   const DataPointer d = pressed(m.get(), 4.0, 3.0 / kLiftRadius);
@@ -198,8 +198,8 @@ TEST_F(Axial, AShaftInTwoRings) {
   EXPECT_NEAR(std::abs(one - two), 100.0 * 0.15 * 0.5, 1e-4);
 }
 
-// The ring moves instead, on a damper: what friction takes from the rotor it gives to the ring. At
-// the end the ring falls no faster than its damper lets it, c v = mu N.
+// Instead the ring moves, on a damper: friction takes from the rotor what it gives to the ring. At
+// the end the ring falls no faster than its damper allows, c v = mu N.
 TEST_F(Axial, ARingThatIsDraggedAlong) {
   Lift x;
   x.friction = 0.1;
@@ -220,7 +220,7 @@ TEST_F(Axial, ARingThatIsDraggedAlong) {
   EXPECT_NEAR(of(m.get(), d->qvel, "ring"), -0.5, 1e-8);
 }
 
-// The machines are distinguished, not their names: the same document with another axis.
+// The contact model depends on the machine, not on its names: the same document with another axis.
 TEST_F(Axial, ModelsThatDifferInAnAxisAlone) {
   const std::string lifts = document(Lift{}),
                     stays = replaced(lifts, "name=\"lift\" type=\"slide\" axis=\"0 0 1\"",
@@ -238,7 +238,7 @@ TEST_F(Axial, ModelsThatDifferInAnAxisAlone) {
   }
 }
 
-// Tied along its axis to 3 kg: friction brakes both.
+// It is tied along its axis to 3 kg, so friction brakes both.
 TEST_F(Axial, BesideAConstraint) {
   for (const char* contact : {"rigid", "coulomb"}) {
     Lift x;

@@ -1,6 +1,6 @@
-// The correction of MuJoCo's friction cone for sliding (plugin/contact/cone.h) on geoms
-// of MuJoCo's own, as a user names them: what slides brakes with mu g and stays down, whatever
-// cone, solver and friction.
+// The correction of MuJoCo's friction cone for sliding (plugin/contact/cone.h) on geoms of MuJoCo's
+// own, named by a user: a sliding body brakes with mu g and stays down, with any cone, solver and
+// friction.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -215,7 +215,7 @@ TEST_F(ConeCorrection, BesideConstraints) {
   EXPECT_LT(d->qpos[2], 1e-4);
 }
 
-// It remembers nothing: a forward pass may be repeated, and a state written.
+// The correction has no memory: a forward pass may be repeated, and a state written.
 TEST_F(ConeCorrection, IsAFunctionOfTheState) {
   const ModelPointer m = load(document({}));
   m->opt.cone = mjCONE_ELLIPTIC;
@@ -243,7 +243,7 @@ TEST_F(ConeCorrection, IsAFunctionOfTheState) {
   EXPECT_NEAR(force(d.get()), force(fresh.get()), 1e-9);
 }
 
-// Pairs that nobody named are MuJoCo's.
+// MuJoCo solves pairs that are not named.
 TEST_F(ConeCorrection, LeavesOtherContactsAlone) {
   Slide s;
   s.further =
@@ -268,13 +268,13 @@ TEST_F(ConeCorrection, RefusesWhatIsNoPairWithFriction) {
   s = {};
   s.condim = 1;
   expect_refused(document(s), "condim");
-  // One that is named twice would be corrected twice.
+  // A pair that is named twice would be corrected twice.
   s = {};
   s.custom += R"(<text name="rotorub_cone_coulomb_pair_2" data="sliding"/>)";
   expect_refused(document(s), "named twice");
 }
 
-// The example, a program without any of ours: plugin/README.md has its table.
+// The example, a program without our code: plugin/README.md has its table.
 TEST(SlidingContact, TheExampleShowsWhatTheConeDoesAndTheCure) {
   const std::filesystem::path program =
       std::filesystem::path(ROTORUB_BINARY).parent_path() / "sliding_contact";

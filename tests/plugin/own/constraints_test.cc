@@ -39,7 +39,7 @@ class HeldBodies : public MujocoTest {
   }
   static double gap_rate(const mjData* d) { return d->qvel[kRingX] - d->qvel[kX]; }
 
-  // Over the step of the blow, gap rate after over the one that it would have without the contact.
+  // Gap rate after the step of the blow, relative to the one without the contact.
   static double rebound(const mjModel* m, const std::function<void(mjData*)>& set = {}) {
     const auto after = [&](bool plugin) {
       std::optional<plugin::Hooks> hooks;
@@ -63,7 +63,7 @@ class HeldBodies : public MujocoTest {
 };
 
 void move_base(mjData* d) { d->qvel[kOther] = kBlow; }
-// A ring that is held is a fixed ring: the disc leaves with half of its speed.
+// A ring that is held acts as a fixed ring: the disc leaves with half of its speed.
 TEST_F(HeldBodies, AHeldRingIsAFixedRing) {
   for (const Machine& x :
        {welded(), locked(), pinned(), at_limit(), at_tendon_limit(), tendon_held()}) {
@@ -72,12 +72,12 @@ TEST_F(HeldBodies, AHeldRingIsAFixedRing) {
     const DataPointer d = blow(m.get());
     EXPECT_NEAR(d->qvel[kX], -kEps * kBlow, kSoft * kBlow) << x.constraints << x.ring_joint;
     EXPECT_NEAR(d->qvel[kRingX], 0.0, kSoft * kBlow) << x.constraints << x.ring_joint;
-    // Over the whole blow too.
+    // The same over the whole blow.
     EXPECT_NEAR(gap_rate(blow(m.get(), 200).get()), kEps * kBlow, 2e-3 * kBlow);
   }
 }
 
-// 200 kg and the disc are one body.
+// 200 kg and the disc act as one body.
 TEST_F(HeldBodies, ARotorTiedToAHeavyBodyStrikesWithIt) {
   const double whole = kRotor + 200.0;
   const double impulse = 1.5 * kBlow / (1.0 / whole + 1.0 / kRing);
@@ -89,7 +89,7 @@ TEST_F(HeldBodies, ARotorTiedToAHeavyBodyStrikesWithIt) {
   EXPECT_NEAR(d->qvel[kRingX], impulse / kRing, kSoft * kBlow);
 }
 
-// Below its friction loss the ring stands, and the disc on it; above they move off together.
+// Below its friction loss the ring stands, and the disc on it; above it they move off together.
 TEST_F(HeldBodies, FrictionLossHoldsAPressedRing) {
   const ModelPointer m = load(document(rubbing_ring()));
   for (const double force : {30.0, 80.0}) {
@@ -109,7 +109,7 @@ TEST_F(HeldBodies, FrictionLossHoldsAPressedRing) {
   }
 }
 
-// Ring and part are pushed off as one; the part may fly on, but is not pulled.
+// Ring and part are pushed off together; the part may fly on, but is not pulled.
 TEST_F(HeldBodies, ALoosePartBehindTheRingTakesTheBlow) {
   const ModelPointer m = load(document(loose_part()));
   const double behind = kRing + 3.0;
@@ -118,11 +118,11 @@ TEST_F(HeldBodies, ALoosePartBehindTheRingTakesTheBlow) {
   EXPECT_NEAR(d->qvel[kX], kBlow - impulse / kRotor, kSoft * kBlow);
   EXPECT_NEAR(d->qvel[kRingX], impulse / behind, kSoft * kBlow);
   EXPECT_NEAR(d->qvel[kOther], impulse / behind, kSoft * kBlow);
-  // One that comes against the ring in the same step.
+  // A part that meets the ring in the same step.
   EXPECT_NEAR(rebound(m.get(), [](mjData* data) { data->qvel[kOther] = -1.0; }), kEps, 1e-6);
 }
 
-// Friction of the blow: the whole cone against the slip; and no more than stops it.
+// Friction of the blow: the whole cone against the slip, and at most what stops it.
 TEST_F(HeldBodies, FrictionIsOfTheImpulseThatTheHeldRingGives) {
   for (Machine x : {welded(), at_limit(), tendon_held()}) {
     x.friction = 0.15;
@@ -141,7 +141,7 @@ TEST_F(HeldBodies, FrictionIsOfTheImpulseThatTheHeldRingGives) {
   }
 }
 
-// Every solver of MuJoCo's, dense and sparse rows, pyramids and elliptic cones beside.
+// Each of MuJoCo's solvers, dense and sparse rows, pyramids and elliptic cones.
 TEST_F(HeldBodies, AnySolverIsAsked) {
   for (const char* option :
        {"solver=\"Newton\" jacobian=\"sparse\"", "solver=\"CG\" iterations=\"200\"",
@@ -183,7 +183,7 @@ TEST_F(HeldBodies, SoftContactStandsBesideConstraintsToo) {
   EXPECT_NEAR(a[2], b[2], kSoft * (100.0 - a[2]));
 }
 
-// Constraints elsewhere change no bit of a contact that they do not touch.
+// Constraints elsewhere change no bit of a contact that they do not affect.
 TEST_F(HeldBodies, ConstraintsElsewhereChangeNoBit) {
   Machine x;
   x.bodies = R"(<body name="lamp" pos="0 0 1"><joint name="lamp" type="slide" axis="0 0 1"/>
@@ -195,7 +195,7 @@ TEST_F(HeldBodies, ConstraintsElsewhereChangeNoBit) {
             state_of(elsewhere.get(), blow(elsewhere.get(), 300).get()));
 }
 
-// A probe leaves nothing behind: forward passes may be repeated, data copied, threads run.
+// A probe has no lasting effect: forward passes may be repeated, data copied, threads used.
 TEST_F(HeldBodies, ProbesLeaveNoTrace) {
   Machine x = loose_part();
   x.friction = 0.15;
@@ -231,7 +231,7 @@ TEST_F(HeldBodies, ProbesLeaveNoTrace) {
   EXPECT_EQ(state_of(m.get(), once.get()), state_of(m.get(), copy.get()));
 }
 
-// Away from the ring MuJoCo's own bits stay, constraints or not.
+// Away from the ring the bits are MuJoCo's, with or without constraints.
 TEST_F(HeldBodies, ARotorThatDoesNotTouchHasMujocosBits) {
   for (const Machine& x : {welded(), tied_to(200.0), rubbing_ring(), loose_part()}) {
     const ModelPointer m = load(document(x));
@@ -327,7 +327,7 @@ TEST_F(HeldGenerated, TheGeneralPathHasTheSceneLoads) {
 
 std::string last_warning;
 
-// On segments too the contact is solved beside the constraint, `rigid` and `coulomb`.
+// On segments `rigid` and `coulomb` solve the contact beside the constraint, too.
 TEST_F(HeldGenerated, SegmentsAreSolvedBesideIt) {
   const auto document = [](const std::string& contact) {
     return locked(

@@ -51,7 +51,7 @@ TEST(ContactStatus, TellsOnceAndKnowsStarts) {
   mju_user_warning = before;
 }
 
-// A rotor that is set aside in mid-run, as no force does it.
+// A rotor that is moved during the run in a way that no force does.
 TEST_F(Escape, OfAModelOfOnesOwn) {
   const ModelPointer m = load(replaced(document(Machine{}), "<sensor>", R"(<sensor>
     <user name="rotorub_active" objtype="geom" objname="disc" datatype="real" needstage="pos" dim="1"/>)"));
@@ -65,8 +65,8 @@ TEST_F(Escape, OfAModelOfOnesOwn) {
   EXPECT_NE(last_escape.find("deep in its ring"), std::string::npos) << last_escape;
 }
 
-// No shipped scene, at its own step and at ten times that.
-TEST_F(Escape, IsNoMatterOfARub) {
+// No shipped scene is reported, at its own step and at ten times that.
+TEST_F(Escape, IsNotReportedInARub) {
   for (const char* name :
        {"bench_ring", "bench_whip", "bench_billiard", "touchdown_ball_bearing", "blade_loss"}) {
     for (const char* step : {"run.step=1e-5", "run.step=1e-4"}) {

@@ -1,4 +1,4 @@
-// A rotor that moves along the axis of its ring, as a user writes it.
+// A rotor that moves along the axis of its ring, as users write it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -70,7 +70,7 @@ inline std::string document(const Lift& x) {
          "</custom></mujoco>";
 }
 
-// A rotor that is turned by nothing but friction: across the press it is held.
+// A rotor that only friction turns; across the load it is held.
 inline Lift held_across() {
   Lift x;
   x.across = "";

@@ -1,5 +1,5 @@
-// MuJoCo's force, torque and touch sensors beside a contact whose force is the plugin's: Newton's
-// law of the rotor says what they must read.
+// MuJoCo's force, torque and touch sensors beside a contact whose force the plugin computes:
+// Newton's law of the rotor gives their values.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,7 +59,7 @@ class LoadCells : public HookedTest {
   }
 };
 
-// On a ring that stands: m a = applied + F, and the cell holds what the ring is pressed with, F.
+// On a ring at rest m a = applied + F, and the cell reads the force on the ring, F.
 TEST_F(LoadCells, BelowARingThatStands) {
   for (const char* contact : {"rigid", "coulomb"}) {
     Machine x;
@@ -79,7 +79,7 @@ TEST_F(LoadCells, BelowARingThatStands) {
       const mjtNum* held = data(m.get(), d, "held");
       EXPECT_NEAR(held[0], d->qfrc_applied[0], size);
       EXPECT_NEAR(held[1], d->qfrc_applied[1], size);
-      // mj_contactForce and the touch sensor, where MuJoCo has the contact in its list.
+      // mj_contactForce and the touch sensor, if MuJoCo has the contact in its list.
       if (d->ncon == 0) return;
       const double normal = sensor(m.get(), d, "normal_force");
       mjtNum force[6];
@@ -221,7 +221,7 @@ TEST_F(LoadCells, TheMomentIsThatOfTheRub) {
   EXPECT_NEAR(data(m.get(), d.get(), "moment")[2], moment, 1e-9);
 }
 
-// A ring that floats hands nothing on.
+// A ring that floats transmits no force.
 TEST_F(LoadCells, BelowARingThatFloats) {
   Machine x;
   x.friction = 0.2;
@@ -305,7 +305,7 @@ TEST_F(LoadCells, AreRefusedWhereNothingIsCalledAfterThem) {
       replaced(document(x), "<sensor>", "<sensor><force name=\"cell\" site=\"cell\"/>");
   for (int i = 0; i < 2; ++i) text = replaced(text, "needstage=\"acc\"", "needstage=\"vel\"");
   EXPECT_TRUE(contains(load_refusal(text), {"<sensor name=\"cell\">", "preload the plugin"}));
-  // One that carries neither rotor nor ring is MuJoCo's own matter.
+  // MuJoCo alone computes a cell that carries neither rotor nor ring.
   x.ring_geoms = "";
   x.bodies = R"(<body name="aside"><site name="cell"/><geom size="0.01"/></body>)";
   text = replaced(document(x), "<sensor>", "<sensor><force name=\"cell\" site=\"cell\"/>");

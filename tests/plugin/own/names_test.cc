@@ -1,5 +1,5 @@
-// Several contacts in one model: how they are named, what is refused by name, whose sensors and
-// whose memory is whose.
+// Several contacts in one model: their names, refusals by name, and the owners of sensors and
+// memory.
 #include <gtest/gtest.h>
 
 #include "plugin/model/user_data.h"
@@ -24,7 +24,7 @@ class OwnNames : public HookedTest {
     const std::size_t begin = text.find(from) + from.size();
     return text.substr(begin, text.find(to, begin) - begin);
   }
-  // The machine twice, as an attach leaves it: every name with a prefix, what texts say without.
+  // The machine twice, as after an attach: every name has a prefix, and texts have none.
   static std::string attached(const std::string& one, const std::string& other) {
     const std::string plain = document(Machine{});
     std::string all = "<mujoco>" + between(plain, "<mujoco>", "<worldbody>");
@@ -137,7 +137,7 @@ TEST_F(OwnNames, OneContactForTwoGeoms) {
   expect_refused(text, "already has a contact");
 }
 
-// "disc" and "disc_2" are both there: which one "disc" is for contact _2 is not guessed.
+// Both "disc" and "disc_2" exist: it is not guessed which one "disc" is for contact _2.
 TEST_F(OwnNames, ANumberThatIsAnEndingOfAGeomIsNotGuessed) {
   std::string text = replaced_all(document(TwoRings{}), "\"far\"", "\"disc_2\"");
   load(text);
@@ -167,7 +167,7 @@ TEST_F(OwnNames, TheSizeThatIsNeededIsSaid) {
 
 class OwnUserData : public OwnNames {};
 
-// At any place, the bits are the same, and the user's entries stay his.
+// At any place the bits are the same, and the user's entries are unchanged.
 TEST_F(OwnUserData, OurBlockStandsWhereItIsTold) {
   TwoRings x;
   x.friction = 0.15;
@@ -215,7 +215,7 @@ TEST_F(OwnUserData, AClashIsRefusedInTheSameStep) {
     d->userdata[at] += 1.0;
     EXPECT_THROW(mj_step(m.get(), d.get()), std::runtime_error) << at;
   }
-  // Before the first step, and where no entry is ours: nothing.
+  // 0 before the first step, and if no entry is ours.
   const DataPointer used = start(m.get());
   used->userdata[20] = 3.0;
   EXPECT_THROW(mj_step(m.get(), used.get()), std::runtime_error);

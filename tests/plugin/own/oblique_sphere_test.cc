@@ -57,7 +57,7 @@ class ObliqueSphere : public HookedTest {
     return {d->qvel[2], d->qvel[0] * c + d->qvel[1] * s, d->qvel[1] * c - d->qvel[0] * s,
             spin[1] * c - spin[0] * s};
   }
-  // The exact answer for the rebound that was reached.
+  // The exact answer for the rebound speed of the run.
   static ObliqueImpact reached(ObliqueImpact x, const After& after) {
     x.restitution = after.normal / x.normal_speed();
     return x;
@@ -103,7 +103,7 @@ TEST_F(ObliqueSphere, TheFigureOfTheBenchmark) {
 
 TEST_F(ObliqueSphere, SlidingThroughoutItHasTheSpinOfCoulombsLaw) { for_each_case({45.0, 60.0}); }
 
-// In the contact's time friction must stop the slip, and hold it at 0.
+// During the contact friction must stop the slip, and hold it at 0.
 TEST_F(ObliqueSphere, RollingAtTheEndItHasTheSpinOfRolling) { for_each_case({20.0}); }
 
 // The elliptic cone is round.

@@ -38,8 +38,8 @@ class Pairs : public HookedTest {
   }
 };
 
-// A central hit: each ring takes half, nothing tilts. With tilt the impulses are unique; without
-// they are shared alike.
+// A central hit: each ring takes half, and nothing tilts. With tilt the impulses are unique;
+// without, they are shared equally.
 TEST_F(Pairs, ACentralHitDoesNotTilt) {
   for (const bool tilts : {true, false}) {
     TwoRings x;
@@ -57,7 +57,7 @@ TEST_F(Pairs, ACentralHitDoesNotTilt) {
   }
 }
 
-// Two rings of 1 kg are one of 2 kg, through blows, sliding and sticking.
+// Two rings of 1 kg equal one of 2 kg, through blows, sliding and sticking.
 TEST_F(Pairs, TwoRingsAreOneOfTwiceTheMass) {
   for (const char* contact : {"rigid", "coulomb"}) {
     TwoRings two;
@@ -107,7 +107,7 @@ TEST_F(Pairs, ABlowAtOneEndIsThatOfOneRing) {
   EXPECT_EQ(sensor(m.get(), d.get(), "normal_force_2"), 0.0);
 }
 
-// A blow at one end drives the other end out: one step has both.
+// A blow at one end drives the other end out: both are in one step.
 TEST_F(Pairs, AnEndThatIsDrivenIntoItsRingIsCaught) {
   TwoRings x;
   x.restitution = 1.0;
@@ -129,7 +129,7 @@ TEST_F(Pairs, AnEndThatIsDrivenIntoItsRingIsCaught) {
   }
 }
 
-// Thrown about at random: no contact gives energy, there is no way out of the rings.
+// A rotor thrown at random: no contact adds energy, and the rotor stays in the rings.
 TEST_F(Pairs, RandomFlightsStayInTheirRings) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -167,7 +167,7 @@ TEST_F(Pairs, RandomFlightsStayInTheirRings) {
   }
 }
 
-// With what MuJoCo's solver holds: tied to 200 kg the shaft strikes both rings with it.
+// With a constraint of MuJoCo's solver: tied to 200 kg, the shaft strikes both rings with it.
 TEST_F(Pairs, ConstraintsAreSolvedTogetherWithBoth) {
   TwoRings x;
   x.friction = 0.15;

@@ -25,7 +25,7 @@ TEST_F(OwnRules, MisspeltNamesAreRefusedWithASuggestion) {
                  "did you mean \"rotorub_friction\"");
   expect_refused(replaced(good, "rotorub_ring_geom", "rotorub_rnig_geom"),
                  "did you mean \"rotorub_ring_geom\"");
-  // Neither geom is named: still ours.
+  // Neither geom is named, but the model is still ours.
   expect_refused(replaced(replaced(good, "rotorub_ring_geom", "rotorub_ring"), "rotorub_rotor_geom",
                           "rotorub_rotor"),
                  "rotorub_rotor");
@@ -75,7 +75,7 @@ TEST_F(OwnRules, RigidRefusesAnotherFrictionInThePair) {
   load(replaced(three, "condim=\"3\"", "condim=\"3\" friction=\"0.15 0.15 0 0 0\""));
 }
 
-// A rotor that lies across its ring is no disc in it.
+// A rotor that lies across its ring is not a disc in it.
 TEST_F(OwnRules, RefuseARotorAcrossItsRing) {
   const std::string upright = document(Machine{});
   load(replaced(upright, "<geom name=\"disc\"", "<geom euler=\"30 0 0\" name=\"disc\""));
@@ -83,7 +83,7 @@ TEST_F(OwnRules, RefuseARotorAcrossItsRing) {
                  "across the axis of its ring");
 }
 
-// Its motion is in no velocity: the contact would not see it.
+// Its motion is in no velocity, so the contact would not notice it.
 TEST_F(OwnRules, RigidRefusesGeomsOfMocapBodies) {
   Machine x;
   x.ring_moves = false;
@@ -101,7 +101,7 @@ TEST_F(OwnRules, RigidRefusesGeomsOfMocapBodies) {
   load(document(x));
 }
 
-// Contact that lasted does not last into a state that was written at another time.
+// A contact that lasted does not continue in a state that was written at another time.
 TEST_F(OwnRules, AWrittenStateReboundsAsAFreshOne) {
   Machine one;
   one.friction = 0.15;
@@ -199,7 +199,7 @@ TEST_F(OwnRules, TwoPairsOfTheSameGeomsAreRefused) {
   EXPECT_NE(load_refusal(document(x)), "") << "MuJoCo or the plugin";
 }
 
-// A first model has its mistakes told together, and a missing pair is spelt out.
+// For a first model all mistakes are reported together, and a missing pair is written out.
 TEST_F(OwnRules, AllThatIsWrongIsSaidAtOnce) {
   std::string bad = replaced(document(Machine{}), "nuserdata=\"32\"", "nuserdata=\"2\"");
   bad = replaced(bad, "data=\"0.500000\"", "data=\"1.5\"");
@@ -214,7 +214,7 @@ TEST_F(OwnRules, AllThatIsWrongIsSaidAtOnce) {
                  "missing; add <pair geom1=\"disc\" geom2=\"bore\" condim=\"1\" margin=\"");
 }
 
-// The force is there at the stage that the sensor asks for, or the sensor is refused.
+// The force is available at the stage of the sensor, or the sensor is refused.
 TEST_F(OwnRules, ForcesAreToldAtTheStageThatIsAsked) {
   for (const char* contact : {"rigid", "coulomb"}) {
     Machine x;
@@ -232,7 +232,7 @@ TEST_F(OwnRules, ForcesAreToldAtTheStageThatIsAsked) {
                  "normal_force");
 }
 
-// MuJoCo of today clears the user sensors of a stage before it calls mjcb_sensor.
+// Recent versions of MuJoCo clear the user sensors of a stage before they call mjcb_sensor.
 TEST_F(OwnRules, SensorsOfEveryStageAreTold) {
   const auto told = [](const char* stage) {
     std::string text = document(Machine{});
@@ -285,7 +285,7 @@ TEST_F(OwnRules, AnOverrideOfAllContactsIsNotTakenForThePair) {
   }
 }
 
-// Edited in mjModel, a size counts from the next pass on, collision included.
+// A size that is edited in mjModel acts from the next pass on, also in collision.
 TEST_F(OwnRules, AnEditedSizeCountsInTheSamePass) {
   const ModelPointer m = load(document(Machine{}));
   const DataPointer d = start(m.get());
@@ -301,7 +301,7 @@ TEST_F(OwnRules, AnEditedSizeCountsInTheSamePass) {
   EXPECT_THROW(mj_forward(m.get(), d.get()), std::runtime_error);
 }
 
-// 100 um deep, at rest: pushed out slowly, not shot out with 4 J.
+// 100 um deep, at rest: it is pushed out slowly, not thrown out with 4 J.
 TEST_F(OwnRules, AStartInsideTheWallGainsNoEnergy) {
   const ModelPointer m = load(document(Machine{}));
   const DataPointer d = start(m.get());

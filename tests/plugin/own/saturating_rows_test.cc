@@ -58,7 +58,7 @@ class SaturatingRows : public HookedTest {
     x.pairs = "<pair geom1=\"cheek\" geom2=\"stop\" condim=\"1\"" + kHard + "/>";
     return {"contact without friction", x, -kHeld};
   }
-  // A wall that 1000 N press the ring to, with a friction of 1.
+  // A wall to which 1000 N press the ring, with a friction of 1.
   static Held wall(const std::string& cone) {
     Machine x;
     x.ring_geoms = R"(<geom name="cheek" type="sphere" size="0.01" pos="0 -0.06 0"/>)";
@@ -95,7 +95,7 @@ TEST_F(SaturatingRows, ABlowHasTheRestitutionOfAFreeRing) {
         const DataPointer d = begin(m.get(), held, speed);
         mj_step(m.get(), d.get());
         const double impulse = (1.0 + restitution) * speed / (1.0 / kDisc + 1.0 / kBand);
-        // Limits and stop push the ring by some um/s before.
+        // Before, limits and stop push the ring by some um/s.
         EXPECT_NEAR(d->qvel[kDiscX], speed - impulse / kDisc, 5e-6);
         EXPECT_NEAR(d->qvel[kBandX], (impulse - kHeld * kTime) / kBand, 5e-6);
         EXPECT_NEAR(first_contact(d.get()).gap_rate_after,

@@ -104,7 +104,7 @@ TEST_F(StepMatrix, ABlowOfAGyroscopeHasItsRestitution) {
   EXPECT_NEAR(d->qvel[0], -kEps * before, 1e-6);
 }
 
-// Passive forces disabled: MuJoCo's derivative has no dampers then.
+// With passive forces disabled MuJoCo's derivative has no dampers.
 TEST_F(StepMatrix, ABlowWithoutDampersHasItsRestitution) {
   Machine x;
   x.ring_joint = "damping=\"2e4\"";
@@ -117,7 +117,7 @@ TEST_F(StepMatrix, ABlowWithoutDampersHasItsRestitution) {
   EXPECT_NEAR(rebound(m.get(), 1e-4, 0, 3), kEps, 1e-9);
 }
 
-// A lasting contact is held as well: pressed with 500 N, beside a servo that pulls the ring away.
+// A lasting contact is held too: pressed with 500 N, beside a servo that pulls the ring away.
 TEST_F(StepMatrix, ARubBesideAServoIsHeld) {
   for (const double step : {1e-5, 1e-4}) {
     const ModelPointer m =
@@ -133,7 +133,7 @@ TEST_F(StepMatrix, ARubBesideAServoIsHeld) {
       deepest = std::max(deepest, apart - 5e-4);
     }
     EXPECT_LT(deepest, 1e-9) << step;
-    // The servo's drag is all that holds the ring back: 500 N = kv v.
+    // Only the servo's drag holds the ring back: 500 N = kv v.
     EXPECT_NEAR(d->qvel[3], 0.025, 1e-4) << step;
   }
 }
@@ -190,7 +190,7 @@ TEST_F(StepMatrix, AServoOnTheRingOfASegmentRotorLeavesTheRestitution) {
                            "stator.stiffness=0.0", "stator.damping=0.0"});
   const ModelPointer m = load(replaced(mjcf(scene), "<sensor>", servo));
   const DataPointer d = start(m.get()), without = start(m.get());
-  // Closing rate after a step, as the sensor says at the next.
+  // Closing rate after a step, from the sensor in the next.
   const auto rate = [&](mjData* of) {
     mj_step(m.get(), of);
     mj_forward(m.get(), of);
@@ -211,7 +211,7 @@ TEST_F(StepMatrix, AServoOnTheRingOfASegmentRotorLeavesTheRestitution) {
 }
 
 // ---------------------------------------------------------------- solver
-// MuJoCo's solver stopped before its end in a step with a contact of ours.
+// MuJoCo's solver is stopped before its end in a step with one of our contacts.
 
 int solver_warnings = 0;
 std::string last_solver_warning;

@@ -89,7 +89,7 @@ TEST_F(OwnTurningRing, IsSpunUpByTheRub) {
   }
 }
 
-// Impacts with friction on a ring that turns: about the ring's axis nothing is lost.
+// Impacts with friction on a ring that turns conserve the angular momentum about the ring's axis.
 TEST_F(OwnTurningRing, AngularMomentumIsConserved) {
   for (const char* contact : {"rigid", "coulomb"}) {
     const ModelPointer m = held(contact, 0.3, 0.0);

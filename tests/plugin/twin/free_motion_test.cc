@@ -210,7 +210,7 @@ TEST_F(TwinOfATurningRing, SpinsDownAsTheClosedFormAndAsMujoco) {
   EXPECT_NEAR(q[turn], angle + 0.5 * m->opt.timestep * change, 3e-7 * kSpeed * d->time);
 }
 
-// The refusal names the hinge and says the reason.
+// The refusal names the hinge and has the reason.
 void expect_no_twin(const std::string& document, std::string_view reason) {
   EXPECT_TRUE(contains(twin_refusal(document), {"<joint name=\"turn\">", reason}));
 }

@@ -18,7 +18,7 @@ inline plugin::NativeTwin twin_of(const std::string& document) {
   return twin_of(load(document).get());
 }
 
-// Empty: there is one.
+// Empty if there is a twin.
 inline std::string twin_refusal(const std::string& document) {
   return message_of<plugin::ConfigError>([&] { twin_of(document); });
 }

@@ -1,5 +1,5 @@
-// A controller that goes wrong as [controller.config] fault = "..." asks; else it commands (state,
-// k): what it has counted, and the number of the sample.
+// A controller with the fault that [controller.config] fault = "..." selects. Otherwise it commands
+// (state, k): its count, and the number of the sample.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

@@ -1,6 +1,6 @@
-// A law for magnetic bearings: x' = A x + B r, i = -(C x + D r), its matrices as texts in
+// A law for magnetic bearings: x' = A x + B r, i = -(C x + D r), with its matrices as texts in
 // [magnetic_control.config], summed in the order of `kind = "matrices"`. `show` = "..." makes all
-// currents one number of what it is shown; `fault` = "...", from `at` on, makes it go wrong.
+// currents one number of the measurements; `fault` = "..." causes that fault from `at` on.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
