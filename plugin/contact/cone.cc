@@ -79,8 +79,8 @@ bool follow_ring(const mjModel* m, mjData* d, const ConeRows& rows, double curva
   return true;
 }
 
-// The model with the solver of the trials, if it is not MuJoCo's own one. PGS changes one force at a
-// time, and with an elliptic cone it does not find the force of a contact that slides from 0
+// The model with the solver of the trials, if it is not MuJoCo's own one. PGS changes one force at
+// a time, and with an elliptic cone it does not find the force of a contact that slides from 0
 // (cone_rows.cc), so Newton solves the trials. MuJoCo's PGS then starts from their solution.
 std::optional<mjModel> with_solver_of_trials(const mjModel* m) {
   if (m->opt.solver != mjSOL_PGS || mj_isPyramidal(m)) return std::nullopt;
