@@ -68,9 +68,10 @@ bool stands_before_mujoco() {
          ours.dli_fbase == found.dli_fbase;
 }
 
-// True while MuJoCo fills its own sensors in this thread. They receive the plugin's forces from
-// load_cells.h.
-thread_local bool in_sensors = false;
+// True while MuJoCo fills its own sensors in this thread, or computes the forces between bodies.
+// Both receive the plugin's forces from load_cells.h, so mj_contactForce, which they call, must not
+// add them.
+thread_local bool without_plugin = false;
 
 __attribute__((constructor)) void install() {
   int mujocos = 0;
@@ -106,9 +107,9 @@ ROTORUB_EXPORT void mj_forwardSkip(const mjModel* m, mjData* d, int skipstage, i
 
 ROTORUB_EXPORT void mj_sensorAcc(const mjModel* m, mjData* d) {
   static const auto sensors = original<Pass>("mj_sensorAcc");
-  in_sensors = true;
+  without_plugin = true;
   sensors(m, d);
-  in_sensors = false;
+  without_plugin = false;
   if (!plugin::callbacks_active() || (m->opt.disableflags & mjDSBL_SENSOR)) return;
   const plugin::Config* config = plugin::find_config(m, d);
   if (config && !config->cells_in_callback) plugin::fill_load_cells(*config, m, d);
@@ -116,21 +117,24 @@ ROTORUB_EXPORT void mj_sensorAcc(const mjModel* m, mjData* d) {
 
 ROTORUB_EXPORT void mj_contactForce(const mjModel* m, const mjData* d, int id, mjtNum result[6]) {
   static const auto force = original<decltype(&mj_contactForce)>("mj_contactForce");
-  if (in_sensors) {
+  if (without_plugin) {
     force(m, d, id, result);
   } else {
     plugin::contact_force(m, d, id, result, force);
   }
 }
 
-// MuJoCo's sensors receive the plugin's forces from load_cells.h.
 ROTORUB_EXPORT void mj_rnePostConstraint(const mjModel* m, mjData* d) {
   static const auto rne = original<Pass>("mj_rnePostConstraint");
-  if (in_sensors) {
+  if (without_plugin) {
     rne(m, d);
-  } else {
-    plugin::rne_post_constraint(m, d, rne);
+    return;
   }
+  plugin::rne_post_constraint(m, d, [](const mjModel* model, mjData* data) {
+    without_plugin = true;
+    rne(model, data);
+    without_plugin = false;
+  });
 }
 
 // The plugin also calls this function, whether it is preloaded or not. MuJoCo's own is in the

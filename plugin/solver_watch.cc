@@ -29,11 +29,16 @@ void watch_solver(const Config& config, const mjModel* m, mjData* d) {
   const double left = unconverged(m, d);
   if (!(left > kMatters)) return;
   status.set(kSolverWarned, true);
+  // Newton stops improving at round-off, which a tiny tolerance never accepts.
+  const char* remedy = m->opt.solver != mjSOL_NEWTON ? "allow more iterations, or use "
+                                                       "solver=\"Newton\""
+                       : m->opt.tolerance < kMatters ? "set the default tolerance, 1e-8"
+                                                     : "allow more iterations";
   warn(message(
            "rotorub: MuJoCo's solver stopped at iterations=\"{}\" at t = {} s, in a step with a "
            "contact of the plugin; its last iteration still improved by {} (tolerance {}), so the "
-           "contact force of that step is inexact; allow more iterations, or use solver=\"Newton\"",
-           m->opt.iterations, d->time, left, m->opt.tolerance)
+           "contact force of that step is inexact; {}",
+           m->opt.iterations, d->time, left, m->opt.tolerance, remedy)
            .c_str());
 }
 

@@ -57,12 +57,10 @@ const MetricKey kMetricKeys[] = {
     {"friction_impulse", "N s", "friction impulse on the rotor along e_t",
      read<&Metrics::friction_impulse>},
     {"forward_passes", "",
-     "forward turns of the rotor around its ring from first touch; with several contacts, the "
-     "largest number",
+     "turns of the rotor around its ring from first touch; of several contacts, the largest number",
      count_or_null<&Metrics::forward_passes>},
     {"backward_passes", "",
-     "backward turns of the rotor around its ring from first touch; with several contacts, the "
-     "largest number",
+     "turns of the rotor around its ring from first touch; of several contacts, the largest number",
      count_or_null<&Metrics::backward_passes>},
     {"whirl_time", "s", "time that these turns took", read_or_null<&Metrics::whirl_time>},
     {"real_time_factor", "", "simulated time / computing time; not a result",

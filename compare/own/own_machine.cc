@@ -226,9 +226,11 @@ void check_equalities(const mjModel* m, const plugin::Config& config) {
         for (int i = 0; i < start->nefc; ++i) {
           if (start->efc_type[i] != mjCNSTR_EQUALITY || rows[static_cast<std::size_t>(i)] == 0.0)
             continue;
-          const char* name = mj_id2name(m, mjOBJ_EQUALITY, start->efc_id[i]);
+          const int id = start->efc_id[i];
+          const char* name = mj_id2name(m, mjOBJ_EQUALITY, id);
           plugin::refuse(
-              fmt::format("<equality> \"{}\"", name ? name : ""),
+              name && *name ? fmt::format("<equality> \"{}\"", name)
+                            : fmt::format("<equality> number {}", id + 1),
               fmt::format(
                   "acts on {}, which moves geom \"{}\": the native model has no constraints, so it "
                   "would be a different machine; replace the equality by a motor or a stiffness on "

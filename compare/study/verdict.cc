@@ -148,8 +148,7 @@ std::string split_sentence(const FigureDifference& f, double step, double tolera
 // For a figure that has no split, because it is a count.
 std::string count_sentence(const FigureDifference& f, double step) {
   return fmt::format(
-      "whether the difference in {} ({}) is due to the step shows at a smaller one: --step "
-      "{:.3g}us",
+      "a smaller step shows whether the difference in {} ({}) is due to the step: --step {:.3g}us",
       f.figure->label, difference_text(f), 1e6 * 0.5 * step);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -78,11 +79,28 @@ bool follow_ring(const mjModel* m, mjData* d, const ConeRows& rows, double curva
   return true;
 }
 
+// The model with the solver of the trials, if it is not MuJoCo's own one. PGS changes one force at
+// a time, and with an elliptic cone it does not find the force of a contact that slides from 0
+// (cone_rows.cc), so Newton solves the trials. MuJoCo's PGS then starts from their solution.
+std::optional<mjModel> with_solver_of_trials(const mjModel* m) {
+  if (m->opt.solver != mjSOL_PGS || mj_isPyramidal(m)) return std::nullopt;
+  mjModel copy = *m;  // with the arrays of m
+  copy.opt.solver = mjSOL_NEWTON;
+  return copy;
+}
+
 // MuJoCo's solver, tried with shifted references. Uses the stack of mjData during its lifetime.
 class ShiftedSolver {
  public:
   ShiftedSolver(const mjModel* m, mjData* d)
-      : m_(m), d_(d), probe_(m, d), room_(d), y_(room_.numbers(d->nefc)) {}
+      : m_(m),
+        d_(d),
+        of_trials_(with_solver_of_trials(m)),
+        probe_(of_trials_ ? &*of_trials_ : m, d),
+        room_(d),
+        y_(room_.numbers(d->nefc)) {}
+  ShiftedSolver(const ShiftedSolver&) = delete;
+  ShiftedSolver& operator=(const ShiftedSolver&) = delete;
 
   // Solves with the present shifts of the contacts.
   void solve(std::span<const ConeRows> contacts) {
@@ -118,6 +136,7 @@ class ShiftedSolver {
  private:
   const mjModel* m_;
   mjData* d_;
+  std::optional<mjModel> of_trials_;
   ConstraintProbe probe_;
   StackFrame room_;
   mjtNum* y_;

@@ -64,11 +64,11 @@ class Refusals {
   std::string text_;
 };
 
-// MuJoCo cuts an error that is raised while a model is loaded after about 500 characters. Copies as
-// many whole lines as fit, and the number of the lines left out.
+// MuJoCo cuts an error that is raised while a model is loaded after about 500 characters, MuJoCo 2
+// after 285. Copies as many whole lines as fit, and the number of the lines left out.
 template <std::size_t kSize>
 void copy_lines(std::string_view text, char (&to)[kSize]) {
-  constexpr std::size_t kRoom = 440;
+  constexpr std::size_t kRoom = mjVERSION_HEADER < 300 ? 260 : 440;
   std::size_t end = text.size();
   if (text.size() > kRoom) {
     const std::size_t last = text.rfind('\n', kRoom);

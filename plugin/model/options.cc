@@ -20,6 +20,17 @@ bool may_fall_asleep(const Config& config, const mjModel* m) {
                      [m](int dof) { return dof >= 0 && tree_may_sleep(m, m->dof_bodyid[dof]); });
 }
 
+// With an elliptic cone, PGS finds the force of a sliding contact only from a start that has one.
+bool loses_sliding_contacts(const Config& config, const mjModel* m) {
+  const bool needs_start = m->opt.solver == mjSOL_PGS && !mj_isPyramidal(m) &&
+                           (m->opt.disableflags & mjDSBL_WARMSTART) != 0;
+  return needs_start &&
+         (!config.corrected_pairs.empty() ||
+          std::any_of(config.pairs.begin(), config.pairs.end(), [](const ContactPair& pair) {
+            return pair.contact_model == scene::ContactModel::kConeCoulomb;
+          }));
+}
+
 }  // namespace
 
 const char* refused_options(const Config& config, const mjModel* m) {
@@ -36,6 +47,12 @@ const char* refused_options(const Config& config, const mjModel* m) {
     return "rotorub: <flag override=\"enable\"/>: MuJoCo's solver then uses o_margin, o_solref and "
            "o_solimp of <option> instead of the rotor's <pair>, which sets contact models coulomb, "
            "cone and cone-coulomb; set \"disable\", or use contact model rigid";
+  }
+  if (loses_sliding_contacts(config, m)) {
+    return "rotorub: <flag warmstart=\"disable\"/>: with solver=\"PGS\" and cone=\"elliptic\" "
+           "MuJoCo's "
+           "solver then misses sliding contacts of cone-coulomb and rotorub_cone_coulomb_pair; set "
+           "\"enable\", or use solver=\"Newton\" or \"CG\"";
   }
   return nullptr;
 }

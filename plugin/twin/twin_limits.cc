@@ -54,7 +54,10 @@ void add_constraints(const mjModel* m, const std::vector<bool>& ignored,
   }
   for (int i = 0; i < m->neq; ++i) {
     if (!equality_holds(m, i)) continue;
-    all.push_back(message("<equality>: \"{}\" acts only in MuJoCo", m->names + m->name_eqadr[i]));
+    const char* name = m->names + m->name_eqadr[i];
+    all.push_back(
+        (*name ? message("<equality> \"{}\"", name) : message("<equality> number {}", i + 1)) +
+        " acts only in MuJoCo");
   }
 }
 

@@ -250,8 +250,9 @@ TEST_P(UserCallbacks, ALoadCellHasTheForces) {
       EXPECT_NE(text.find("needstage=\"acc\""), std::string::npos) << text;
       continue;
     }
-    double x = 0, y = 0, normal = 0, tangent = 0, told_normal = 0, told_friction = 0;
-    std::stringstream(text) >> x >> y >> normal >> tangent >> told_normal >> told_friction;
+    double x = 0, y = 0, normal = 0, tangent = 0, told_normal = 0, told_friction = 0, on_ring = 0;
+    std::stringstream(text) >> x >> y >> normal >> tangent >> told_normal >> told_friction >>
+        on_ring;
     EXPECT_NEAR(told_normal, 121.7, 5.0) << text;
     // Within MuJoCo's regularisation.
     EXPECT_NEAR(normal, told_normal, 1e-3 * told_normal) << contact;
@@ -260,6 +261,7 @@ TEST_P(UserCallbacks, ALoadCellHasTheForces) {
     EXPECT_NEAR(std::abs(tangent), std::abs(linked_friction), 1e-6) << contact;
     EXPECT_NEAR(std::hypot(x, y), std::hypot(told_normal, told_friction), 1e-3 * told_normal)
         << contact;
+    EXPECT_NEAR(on_ring, std::hypot(told_normal, linked_friction), 1e-3 * told_normal) << contact;
   }
 }
 

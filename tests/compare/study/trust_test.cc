@@ -368,9 +368,10 @@ TEST_F(Reasons, OnlyABouncingRotorBounces) {
 TEST_F(Reasons, AFigureThatCanBeSplitSaysWhatToDo) {
   set("mean_force", 26.96, 26.97);
   set("hard_impacts", 7.0, 5.0);
-  EXPECT_EQ(said(),
-            "whether the difference in hard impacts (5 instead of 7) is due to the step shows at a "
-            "smaller one: --step 5us\n");
+  EXPECT_EQ(
+      said(),
+      "a smaller step shows whether the difference in hard impacts (5 instead of 7) is due to "
+      "the step: --step 5us\n");
   Split& split = set("gap_rate_rms", 0.5301e-3, 0.5688e-3).split;
   split.valid = true;
   split.step_error = 0.0403e-3;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/said.h"
 
 namespace rotorub::test {
 namespace {
@@ -207,12 +208,27 @@ TEST_F(ConeCorrection, BesideConstraints) {
       R"(<equality><joint joint1="x" joint2="tied" solimp="0.9999 0.9999 0.001"/></equality>)";
   const ModelPointer m = load(document(s));
   m->opt.cone = mjCONE_ELLIPTIC;
-  const DataPointer d(mj_makeData(m.get()));
-  d->qvel[0] = d->qvel[3] = 10.0;
-  for (int k = 0; k < 1000; ++k) mj_step(m.get(), d.get());
-  EXPECT_NEAR(10.0 - d->qvel[0], 0.25 * kGravity, 2e-3 * kGravity);
-  EXPECT_NEAR(d->qvel[0], d->qvel[3], 1e-3);
-  EXPECT_LT(d->qpos[2], 1e-4);
+  for (const int solver : {mjSOL_PGS, mjSOL_CG, mjSOL_NEWTON}) {
+    m->opt.solver = solver;
+    const DataPointer d(mj_makeData(m.get()));
+    d->qvel[0] = d->qvel[3] = 10.0;
+    for (int k = 0; k < 1000; ++k) mj_step(m.get(), d.get());
+    EXPECT_NEAR(10.0 - d->qvel[0], 0.25 * kGravity, 2e-3 * kGravity) << solver;
+    EXPECT_NEAR(d->qvel[0], d->qvel[3], 1e-3) << solver;
+    EXPECT_LT(std::abs(d->qpos[2]), 1e-3) << solver;
+  }
+}
+
+// PGS with an elliptic cone finds a sliding contact only from a start with its force.
+TEST_F(ConeCorrection, NeedsTheWarmStartOfAnEllipticPgs) {
+  const std::string option = R"(<option timestep="0.001"/>)";
+  const auto with = [&](const std::string& cone) {
+    return replaced(document({}), option,
+                    R"(<option timestep="0.001" solver="PGS" cone=")" + cone +
+                        R"("><flag warmstart="disable"/></option>)");
+  };
+  expect_refused(with("elliptic"), "warmstart");
+  EXPECT_NEAR(slid(load(with("pyramidal")).get(), 10.0).lost, 0.5 * kGravity, 1e-2 * kGravity);
 }
 
 // The correction has no memory: a forward pass may be repeated, and a state written.

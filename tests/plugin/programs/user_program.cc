@@ -7,7 +7,8 @@
 // CASE inverse: after STEPS, mj_forward and mj_inverse, prints the largest of qfrc_inverse less
 // applied and actuators' forces (N, N m). CASE differences: of A of mjd_transitionFD (eps 1e-8)
 // then the row of the first velocity: over the first position, over itself. CASE forces: of the
-// force sensor "cell" and mj_contactForce. Every other CASE prints one line: calls of the user's
+// force sensor "cell" and mj_contactForce, what the sensors of the rub say, and the size of the
+// force on the ring by mj_rnePostConstraint. Every other CASE prints one line: calls of the user's
 // callback, share of steps with rotorub_active 1, share of steps with a normal force, largest
 // penetration in um, then time, qpos and qvel as bits.
 #include <mujoco/mujoco.h>
@@ -179,15 +180,18 @@ void print_differences(const mjModel* m, int steps) {
   mj_deleteData(d);
 }
 
-// A load cell, MuJoCo's force of the only contact along normal and tangent, and what the sensors of
-// the rub say.
-void print_forces(const mjModel* m, int steps) {
+// A load cell, MuJoCo's force of the only contact along normal and tangent, what the sensors of the
+// rub say, and MuJoCo's force on the ring.
+void print_forces(const mjModel* m, int steps, int ring) {
   mjData* d = stepped(m, steps);
   mjtNum force[6] = {0};
   mj_contactForce(m, d, 0, force);
   const mjtNum* cell = d->sensordata + m->sensor_adr[mj_name2id(m, mjOBJ_SENSOR, "cell")];
-  std::printf("%.17g %.17g %.17g %.17g %.17g %.17g\n", cell[0], cell[1], force[0], force[1],
-              value(m, d, "normal_force"), value(m, d, "friction_force"));
+  mj_rnePostConstraint(m, d);
+  const mjtNum* on_ring = d->cfrc_ext + 6 * m->geom_bodyid[ring] + 3;
+  std::printf("%.17g %.17g %.17g %.17g %.17g %.17g %.17g\n", cell[0], cell[1], force[0], force[1],
+              value(m, d, "normal_force"), value(m, d, "friction_force"),
+              std::hypot(on_ring[0], on_ring[1], on_ring[2]));
   mj_deleteData(d);
 }
 
@@ -223,7 +227,7 @@ int main(int argc, char** argv) {
     return 0;
   }
   if (what == "forces") {
-    print_forces(m, steps);
+    print_forces(m, steps, ring);
     return 0;
   }
   begin(what, m, m->geom_type[rotor], m->geom_type[ring]);
