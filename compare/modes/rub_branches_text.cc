@@ -111,8 +111,8 @@ result::Table branch_table(const RubBranches& all, const RubBranch& branch) {
 // "rotor.speed = 50 Hz"
 std::string value_text(const MapAxis& axis, double value) {
   const ShownUnit unit = shown_unit(axis.unit);
-  return fmt::format("{} = {:.6g}{}{}", axis.key, value * unit.per_si,
-                     unit.name.empty() ? "" : " ", unit.name);
+  return fmt::format("{} = {:.6g}{}{}", axis.key, value * unit.per_si, unit.name.empty() ? "" : " ",
+                     unit.name);
 }
 
 std::string title_of(const RubBranches& all, const RubBranch& branch, std::size_t number) {
