@@ -50,10 +50,11 @@ function loopCard({poles, poles_refused: refused, loops}, at) {
 }
 
 // The smallest gap of the free rotor at a contact.
-function orbitCard(response, title) {
+function orbitCard(response, title, isInService = true) {
   const {orbit, least_gap: gap, vibration, vibration_limit: limit, refused} = response;
   if (orbit === null) return {title, headline: 'none', text: refused};
-  const shaking = limit !== null && vibration > 0 ?
+  // The limit of API 617 is for a machine in service, not after the loss of a blade.
+  const shaking = isInService && limit !== null && vibration > 0 ?
     `; vibration ${microns(vibration, 5)} peak to peak, ${vibration <= limit ? 'within' : 'beyond'} the ${microns(limit)} of API 617` : '';
   return {title, tone: gap > 0 ? '' : 'bad', headline: gap > 0 ? `least gap ${microns(gap)}` : `touches, ${microns(-gap)} beyond`,
     text: `${microns(orbit)} from the middle of the ring, clearance ${microns(orbit + gap)}${shaking}`};
@@ -61,7 +62,7 @@ function orbitCard(response, title) {
 const orbitCards = ({name, response}, at) => {
   if (!response) return [];
   const title = `Free orbit${name ? ` at contact "${name}"` : ''}`, before = response.before_loss;
-  return before ? [orbitCard(before, `${title}, before the loss, ${at}`), orbitCard(response, `${title}, after the loss, ${at}`)] :
+  return before ? [orbitCard(before, `${title}, before the loss, ${at}`), orbitCard(response, `${title}, after the loss, ${at}`, false)] :
     [orbitCard(response, `${title}, ${at}`)];
 };
 
@@ -133,8 +134,14 @@ function splitRubs(parts) {
   return front.some(({rows}) => rows) ? [front, behind] : [[], parts];
 }
 
+// Puts the mark of a row, to which a note refers, before its first cell.
+const withMarks = (part) => (part.rows ? {...part, rows: part.rows.map((row) => {
+  const [first, ...others] = row.cells;
+  return row.mark ? {...row, cells: [first.text === undefined ? `${row.mark} ${first}` : {...first, text: `${row.mark} ${first.text}`}, ...others]} : row;
+})} : part);
+
 export function modesParts({page: {parts}, rotor, loops, texts: [scene]}) {
-  const rubs = parts.find(({id}) => id === 'rubs'), [front, behind] = splitRubs(rubs?.parts || []);
+  const rubs = parts.find(({id}) => id === 'rubs'), [front, behind] = splitRubs((rubs?.parts || []).map(withMarks));
   return [{cards: modesCards(rotor)},
     {lead: 'Small whirl of the rotor in its bearings, without contact, from the eigenvalues of the gyroscopic system with external and ' +
       `rotating damping at a constant spin speed.${rotor.shapes ? ' The shaft is not truncated to the modes kept.' : ''} Forward whirl turns ` +
