@@ -8,7 +8,7 @@ const rpm = 30 / Math.PI, microns = (length, digits = 4) => `${short(1e6 * lengt
 function speedCard({campbell: {running, critical}}, isUnstable) {
   const nearest = [...critical].sort((a, b) => Math.abs(a - running) - Math.abs(b - running))[0], share = nearest / running - 1;
   const text = !critical.length ? 'There is no critical speed.' : running === 0 ? `The first critical speed is ${rpmText(critical[0])}.` :
-    `The nearest critical speed is ${rpmText(nearest)}, ${short(100 * Math.abs(share))} % ${share >= 0 ? 'above' : 'below'}.`;
+    `The nearest undamped critical speed is ${rpmText(nearest)}, ${short(100 * Math.abs(share))} % ${share >= 0 ? 'above' : 'below'}.`;
   return {title: 'The scene\'s speed', tone: isUnstable && 'bad', headline: rpmText(running) + (isUnstable ? ', unstable' : ''), text};
 }
 
@@ -29,8 +29,11 @@ function stabilityCard({unstable_ranges: ranges, stability_bound: bound}, isUnst
   const headline = from === 0 ? 'unstable at rest' : to === null ? `unstable above ${rpmText(from * rpm)}` :
     `unstable from ${rpmText(from * rpm)} to ${rpmText(to * rpm)}`;
   const why = from === 0 ? 'The negative stiffness is stronger than the shaft and its bearings.' :
-    'There rotating damping or a bearing\'s cross stiffness feeds a whirl.';
-  return {title, tone, headline, text: why + (more > 0 ? ` There ${more > 1 ? `are ${more} more ranges` : 'is one more range'} above it.` : '')};
+    'Rotating damping or a bearing\'s cross stiffness feeds a whirl there.';
+  // The growing whirl may have left the modes kept at the end of the range.
+  const above = more > 0 ? ` There ${more > 1 ? `are ${more} more ranges` : 'is one more range'} above it.` :
+    to !== null ? ' Above it no whirl of the modes kept grows.' : '';
+  return {title, tone, headline, text: why + above};
 }
 
 // The closed loop of magnetic bearings: whether it is stable, and its largest sensitivity.
