@@ -323,17 +323,12 @@ std::string above_modes_note(const RubAnalysis& analysis) {
   look_at(analysis.rolling);
   if (whirls.empty()) return "";
   const double highest = whirls.front() < 0.0 ? analysis.band->backward : analysis.band->forward;
-  return whirls.size() > 1
-             ? fmt::format(
-                   "the whirls of the rubs marked * are faster than the highest mode kept "
-                   "({} rad/s), so their forces are not reliable; raise rotor.modes and "
-                   "compare",
-                   grouped(highest))
-             : fmt::format(
-                   "the whirl of the rub marked * ({} rad/s) is faster than the highest "
-                   "mode kept ({} rad/s), so its force is not reliable; raise rotor.modes "
-                   "and compare",
-                   grouped(std::abs(whirls.front())), grouped(highest));
+  const bool several = whirls.size() > 1;
+  return fmt::format(
+      "the whirl{0} of the rub{0} marked * {1} faster than the highest mode kept ({2} rad/s, {3} "
+      "Hz), so {4} not reliable; raise rotor.modes and compare",
+      several ? "s" : "", several ? "are" : "is", grouped(highest), grouped(highest * kHz),
+      several ? "their forces are" : "its force is");
 }
 
 Table rubs_table(const std::vector<StandingRub>& rubs) {
@@ -374,14 +369,14 @@ std::string orbit_text(const RubPoint& point) {
 }
 
 std::string rolling_text(const RubPoint& point) {
-  std::string text;
+  std::vector<std::string> ranges;
   for (const auto& [from, to] : point.rolling_ranges) {
-    text += text.empty() ? "" : " and of ";
-    text += std::isfinite(to) ? fmt::format("{:.7g} to {:.7g} rad/s", from, to)
-                              : fmt::format("above {:.7g} rad/s", from);
+    ranges.push_back(std::isfinite(to) ? fmt::format("{:.7g} to {:.7g}", from, to)
+                                       : fmt::format("above {:.7g}", from));
   }
-  if (text.empty()) return "friction is too low for backward rolling at all speeds";
-  return fmt::format("Friction can sustain backward rolling at whirl speeds of {}", text);
+  if (ranges.empty()) return "Friction is too low for backward rolling at any speed.";
+  return fmt::format("Friction can sustain backward rolling at whirl speeds of {} rad/s.",
+                     fmt::join(ranges, ", "));
 }
 
 // All of a point but its rubs, which stand above.

@@ -108,13 +108,16 @@ result::Table branch_table(const RubBranches& all, const RubBranch& branch) {
   return table;
 }
 
+// "rotor.speed = 50 Hz"
+std::string value_text(const MapAxis& axis, double value) {
+  const ShownUnit unit = shown_unit(axis.unit);
+  return fmt::format("{} = {:.6g}{}{}", axis.key, value * unit.per_si, unit.name.empty() ? "" : " ",
+                     unit.name);
+}
+
 std::string title_of(const RubBranches& all, const RubBranch& branch, std::size_t number) {
   std::string text = fmt::format("branch {}", number);
-  if (all.up) {
-    const ShownUnit unit = shown_unit(all.up->unit);
-    text += fmt::format(", {} = {:.6g}{}", all.up->key, branch.up * unit.per_si,
-                        unit.name.empty() ? "" : " " + unit.name);
-  }
+  if (all.up) text += ", " + value_text(*all.up, branch.up);
   const int order = branch.points.front().rub.settled.order;
   if (order > 1) text += fmt::format(", sub-harmonic 1/{}", order);
   return text;
@@ -145,10 +148,8 @@ result::Section rub_branches_result(const std::string& name, const RubBranches& 
   }
   if (!all.without.empty()) section.add({line("\nstarts without a periodic rub", Role::kCaption)});
   for (const UnsettledValue& at : all.without) {
-    std::string where =
-        fmt::format("{} = {:.6g}", all.across.key, at.value * shown_unit(all.across.unit).per_si);
-    if (all.up)
-      where += fmt::format(", {} = {:.6g}", all.up->key, at.up * shown_unit(all.up->unit).per_si);
+    std::string where = value_text(all.across, at.value);
+    if (all.up) where += ", " + value_text(*all.up, at.up);
     section.add({result::Sentence{.text = fmt::format("{}, from {}: {}", where, at.start, at.why),
                                   .lead = "  "}});
   }

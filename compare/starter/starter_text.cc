@@ -53,12 +53,12 @@ const char* what_it_is(StarterForm form) {
     case StarterForm::kOverhung:
       return "A shaft with a disc beyond the second of its two bearings, a pump's or a fan's "
              "wheel: it loses a part of\n# a blade and rubs in an auxiliary bearing beside the "
-             "disc. The ring stands about the shaft as it sags, so\n# that its weight is left "
-             "out.";
+             "disc. The ring is centred on the sagging shaft, so\n# there is no [gravity].";
     case StarterForm::kVertical:
-      return "A vertical shaft, hung from two bearings at its upper end (z = 0), with an impeller "
-             "at its lower one: it\n# loses a part of a blade and rubs in the guide bearing above "
-             "that. The weight pulls along the shaft and bends\n# nothing: there is no [gravity].";
+      return "A vertical shaft, held by two bearings at its upper end (z = 0), with an impeller at "
+             "its lower end: it\n# loses a part of a blade and rubs in the guide bearing above the "
+             "impeller. The weight acts along the shaft\n# and does not bend it, so there is no "
+             "[gravity].";
     case StarterForm::kTwoCatchers:
       return "A shaft with a disc in two magnetic bearings. They fail, and it drops into two "
              "auxiliary bearings.";
@@ -78,8 +78,8 @@ std::string head(const Starter& starter) {
       "#\n"
       "#     rotorub run {1}        the motion: series, impacts, summary\n"
       "#     rotorub modes {1}      whirl frequencies, critical speeds, which rubs last\n"
-      "#     rotorub compare {1}    beside MuJoCo, with a report and films\n"
-      "#     rotorub render {1}     a film of it\n"
+      "#     rotorub compare {1}    a comparison with MuJoCo: report and films\n"
+      "#     rotorub render {1}     a film\n"
       "#     rotorub check {1}      every engine against the rules at the end\n"
       "#\n"
       "# `rotorub schema` prints all tables and keys as a JSON schema, with which an editor "
@@ -105,19 +105,19 @@ std::string sleeve(double station, const StarterSizes& s) {
 std::string journal(double station, const StarterSizes& s, bool first) {
   return "\n[[rotor.bearing]]\n" + value("z", station, "m") +
          value("stiffness", s.bearing_stiffness,
-               first ? "N/m; [x, y] where the planes differ" : "N/m") +
-         (first
-              ? "# damping = 100                # N s/m; oil films: cross_stiffness, table_speed; "
-                "misalignment: offset\n"
-              : "");
+               first ? "N/m; or [x, y] if the planes differ" : "N/m") +
+         (first ? "# damping = 100                # N s/m; oil films: journal, cross_stiffness, "
+                  "table_speed; "
+                  "misalignment: offset\n"
+                : "");
 }
 
 std::string magnet(double station, const StarterSizes& s) {
-  return "\n[[magnetic_bearing]]          # of each axis: current = -proportional x - integral of "
-         "x "
-         "- derivative x'\n" +
+  return "\n[[magnetic_bearing]]          # current of each axis: -proportional x - integral "
+         "(integral "
+         "of x) - derivative x'\n" +
          value("station", station, "m") +
-         value("negative_stiffness", s.negative_stiffness, "N/m, of the bias") +
+         value("negative_stiffness", s.negative_stiffness, "N/m, due to the bias current") +
          "[magnetic_bearing.control]\n" + value("force_per_current", s.force_per_current, "N/A") +
          value("proportional", s.proportional, "A/m") +
          value("integral", s.integral, "A/(m s), which carries the weight") +
@@ -206,7 +206,7 @@ std::string load(const Starter& starter, const StarterSizes& s) {
              "makes an orbit of {} clearances\n",
              scene::number_text(s.load_orbit, 2)) +
          value("kind", "\"unbalance\"", "") +
-         value("static_moment", moment, "mass of the lost part times its radius, kg m") +
+         value("static_moment", moment, "kg m, mass of the lost part times its radius") +
          value("on", s.on, "s, time of the loss") +
          (modal ? "" : value("station", s.disc_station, "m")) + "\n";
 }
@@ -218,7 +218,7 @@ std::string bearing(const Starter& starter, const StarterSizes& s, const char* h
          value("radius", s.radius, "m, of the rotor there") +
          value("clearance", written(starter.clearance), "radial") +
          value("friction", written(starter.friction), "Coulomb") +
-         value("restitution", "0.5", "of an impact: 0 plastic, 1 elastic") +
+         value("restitution", "0.5", "of impacts: 0 plastic, 1 elastic") +
          fmt::format(
              "\n{:<30}# the ring of the auxiliary bearing; without this table it is fixed\n",
              fmt::format("[{}stator]", parent)) +

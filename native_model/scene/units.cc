@@ -66,6 +66,7 @@ constexpr auto kUnits = std::to_array<NamedUnit>({
     {"Nmm", {1.0, 1e3, {2, 1, -2, 0, 0}}},
     {"Ns", {1.0, 1.0, {1, 1, -1, 0, 0}}},
     {"Pa", {1.0, 1.0, kPressure.dimension}},
+    {"mPa", {1.0, 1e3, kPressure.dimension}},
     {"kPa", {1e3, 1.0, kPressure.dimension}},
     {"MPa", {1e6, 1.0, kPressure.dimension}},
     {"GPa", {1e9, 1.0, kPressure.dimension}},

@@ -17,7 +17,7 @@ export function statisticsParts(statistics) {
   };
   const hasBounds = rows.some(({estimate: [, low, high]}) => low !== null || high !== null);
   return [{heading: 'Statistics'}, {columns: numbered([...keys, 'figure', 'statistic', 'value', 'from', 'to', 'points'], keys.length + 2),
-    rows: rows.map((row) => ({cells: cellsOf(row)}))}, note(`${hasBounds ? `What is estimated lies between from and to with a confidence of ${percent(confidence)}, if the points ` +
+    rows: rows.map((row) => ({cells: cellsOf(row)}))}, note(`${hasBounds ? `The value lies between from and to with a confidence of ${percent(confidence)}, if the points ` +
     'are independent.' : 'Bounds need independent points, as kind = "random" draws them.'} The table is in statistics.csv.`)];
 }
 

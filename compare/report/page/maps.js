@@ -12,9 +12,18 @@ import {axes, css, growBy, layout, legendBelow, scaleOfColours, short} from './s
 const preferred = ['attractor', 'peak_impulse', 'linear: attractors', 'linear: rub, growth rate'];
 const ordinals = ['first', 'second', 'third', 'fourth'];
 
+// The keys, and for points that are no grid their values, with lengths up to 0.1 m in mm.
+function inMillimetres({keys, values: points}) {
+  const lists = keys.map((key, k) => key.values ?? points[k]);
+  const isShort = keys.map(({unit}, k) => unit === 'm' && lists[k].every((v) => typeof v === 'number' && Math.abs(v) <= 0.1));
+  const scaled = lists.map((list, k) => (isShort[k] ? list.map((v) => 1e3 * v) : list));
+  return {keys: keys.map((key, k) => ({...key, ...(isShort[k] ? {unit: 'mm'} : {}), ...(key.values ? {values: scaled[k]} : {})})),
+    points: points?.map((list, k) => (keys[k].values ? list : scaled[k]))};
+}
+
 export function mapsOf(into, data) {
-  const {keys, figures, columns, best, feasible, statuses = ['ok']} = data, grid = data.kind === 'grid';
-  const values = data.values || gridPlaces(keys), status = data.status || values[0].map(() => 0);
+  const {figures, columns, best, feasible, statuses = ['ok']} = data, grid = data.kind === 'grid', {keys, points: given} = inMillimetres(data);
+  const values = given || gridPlaces(keys), status = data.status || values[0].map(() => 0);
   const choice = {x: 0, y: Math.min(1, keys.length - 1), fixed: keys.map(() => 0)};
   const failed = '#7f7f7f';
   const isFailed = (f, i) => status[i] !== 0 && !figures[f].linear;
@@ -117,7 +126,7 @@ export function mapsOf(into, data) {
       text: points.map((i) => words(i, f)), hovertemplate: '%{text}<extra></extra>', line: {color: css('--native'), width: 1.5},
       marker: {color: css('--native'), size: 6}};
     showPoints(plot, points, {data: [trace], layout: layout({hovermode: 'closest', margin: {l: 64, r: 24, t: 10, b: 48}, xaxis: axisOf(0),
-      yaxis: axes({title: {text: figures[f].name + (figures[f].unit ? ` / ${figures[f].unit}` : '')}})})});
+      yaxis: axes({title: {text: figures[f].name + (figures[f].unit ? ` / ${figures[f].unit}` : '')}, exponentformat: 'power'})})});
   }
 
   // ------------------------------------------------------------------ the choices

@@ -8,7 +8,7 @@ const rpm = 30 / Math.PI, microns = (length, digits = 4) => `${short(1e6 * lengt
 function speedCard({campbell: {running, critical}}, isUnstable) {
   const nearest = [...critical].sort((a, b) => Math.abs(a - running) - Math.abs(b - running))[0], share = nearest / running - 1;
   const text = !critical.length ? 'There is no critical speed.' : running === 0 ? `The first critical speed is ${rpmText(critical[0])}.` :
-    `The nearest critical speed is ${rpmText(nearest)}, ${short(100 * Math.abs(share))} % ${share >= 0 ? 'above' : 'below'}.`;
+    `The nearest undamped critical speed is ${rpmText(nearest)}, ${short(100 * Math.abs(share))} % ${share >= 0 ? 'above' : 'below'}.`;
   return {title: 'The scene\'s speed', tone: isUnstable && 'bad', headline: rpmText(running) + (isUnstable ? ', unstable' : ''), text};
 }
 
@@ -29,8 +29,11 @@ function stabilityCard({unstable_ranges: ranges, stability_bound: bound}, isUnst
   const headline = from === 0 ? 'unstable at rest' : to === null ? `unstable above ${rpmText(from * rpm)}` :
     `unstable from ${rpmText(from * rpm)} to ${rpmText(to * rpm)}`;
   const why = from === 0 ? 'The negative stiffness is stronger than the shaft and its bearings.' :
-    'There rotating damping or a bearing\'s cross stiffness feeds a whirl.';
-  return {title, tone, headline, text: why + (more > 0 ? ` There ${more > 1 ? `are ${more} more ranges` : 'is one more range'} above it.` : '')};
+    'Rotating damping or a bearing\'s cross stiffness feeds a whirl there.';
+  // The growing whirl may have left the modes kept at the end of the range.
+  const above = more > 0 ? ` There ${more > 1 ? `are ${more} more ranges` : 'is one more range'} above it.` :
+    to !== null ? ' Above it no whirl of the modes kept grows.' : '';
+  return {title, tone, headline, text: why + above};
 }
 
 // The closed loop of magnetic bearings: whether it is stable, and its largest sensitivity.
@@ -50,10 +53,11 @@ function loopCard({poles, poles_refused: refused, loops}, at) {
 }
 
 // The smallest gap of the free rotor at a contact.
-function orbitCard(response, title) {
+function orbitCard(response, title, isInService = true) {
   const {orbit, least_gap: gap, vibration, vibration_limit: limit, refused} = response;
   if (orbit === null) return {title, headline: 'none', text: refused};
-  const shaking = limit !== null && vibration > 0 ?
+  // The limit of API 617 is for a machine in service, not after the loss of a blade.
+  const shaking = isInService && limit !== null && vibration > 0 ?
     `; vibration ${microns(vibration, 5)} peak to peak, ${vibration <= limit ? 'within' : 'beyond'} the ${microns(limit)} of API 617` : '';
   return {title, tone: gap > 0 ? '' : 'bad', headline: gap > 0 ? `least gap ${microns(gap)}` : `touches, ${microns(-gap)} beyond`,
     text: `${microns(orbit)} from the middle of the ring, clearance ${microns(orbit + gap)}${shaking}`};
@@ -61,7 +65,7 @@ function orbitCard(response, title) {
 const orbitCards = ({name, response}, at) => {
   if (!response) return [];
   const title = `Free orbit${name ? ` at contact "${name}"` : ''}`, before = response.before_loss;
-  return before ? [orbitCard(before, `${title}, before the loss, ${at}`), orbitCard(response, `${title}, after the loss, ${at}`)] :
+  return before ? [orbitCard(before, `${title}, before the loss, ${at}`), orbitCard(response, `${title}, after the loss, ${at}`, false)] :
     [orbitCard(response, `${title}, ${at}`)];
 };
 
@@ -133,8 +137,14 @@ function splitRubs(parts) {
   return front.some(({rows}) => rows) ? [front, behind] : [[], parts];
 }
 
+// Puts the mark of a row, to which a note refers, before its first cell.
+const withMarks = (part) => (part.rows ? {...part, rows: part.rows.map((row) => {
+  const [first, ...others] = row.cells;
+  return row.mark ? {...row, cells: [first.text === undefined ? `${row.mark} ${first}` : {...first, text: `${row.mark} ${first.text}`}, ...others]} : row;
+})} : part);
+
 export function modesParts({page: {parts}, rotor, loops, texts: [scene]}) {
-  const rubs = parts.find(({id}) => id === 'rubs'), [front, behind] = splitRubs(rubs?.parts || []);
+  const rubs = parts.find(({id}) => id === 'rubs'), [front, behind] = splitRubs((rubs?.parts || []).map(withMarks));
   return [{cards: modesCards(rotor)},
     {lead: 'Small whirl of the rotor in its bearings, without contact, from the eigenvalues of the gyroscopic system with external and ' +
       `rotating damping at a constant spin speed.${rotor.shapes ? ' The shaft is not truncated to the modes kept.' : ''} Forward whirl turns ` +

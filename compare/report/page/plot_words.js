@@ -7,14 +7,14 @@ const mujocoErrors = ({series}) => series.flatMap(({family, points}) => points.f
 
 const bench = ({benches}, index) => [
   {plot: 'precision', shape: 'wide tall', title: 'Error against time',
-    text: 'to the left is faster, lower is more exact; hollow: it has settled to something else than the reference; dotted: the clearance'},
+    text: 'to the left is faster, lower is more exact; hollow: settled to another motion than the reference; dotted: the clearance'},
   {plot: 'step', shape: 'tall', title: 'Error against step', text: 'colours and dashes as above; the table below has the fitted orders'},
   mujocoErrors(benchOf(benches[index])).length && {plot: 'limit', shape: 'tall', title: 'MuJoCo against its own limit',
     text: 'colours as above; solid: distance to its own finest step; dotted: to the reference. No step removes the distance between them'},
 ];
 
 const decrement = {plot: 'decrement', title: 'Logarithmic decrement',
-  text: 'ln of one swing over the next, 2πζ/√(1−ζ²), of each whirl without contact; below 0 it grows'};
+  text: 'ln of the ratio of two successive swings, 2πζ/√(1−ζ²), of each whirl without contact; below 0 it grows'};
 
 const bode = ({bode: shown}) => shown ? [
   {plot: 'bode', shape: 'wide tall', title: 'Bode plot', unit: 'unbalance response', text: 'amplitude and phase of the response to ' +
@@ -36,7 +36,7 @@ const damped = ({pieces = []}) => (dampingScale(pieces) ? ', coloured by damping
 
 // The page of `rotorub modes`.
 const rotor = ({rotor: shown}) => [
-  {plot: 'campbell', shape: 'wide tall', title: 'Campbell diagram', text: `whirl frequencies up to ${rpmText(shown.campbell.top)}, forward solid, ` +
+  {plot: 'campbell', shape: 'wide tall', title: 'Campbell diagram', text: `whirl frequencies for spin speeds up to ${rpmText(shown.campbell.top)}, forward solid, ` +
     `backward dashed${damped(shown.campbell)}, the scene's speed dotted; where forward whirl meets 1×, unbalance resonates. ${beyondText(shown.campbell)}`},
   {plot: 'damping', shape: 'low', title: 'Damping ratio', unit: '%', text: 'below 0 a whirl grows'},
   {...decrement, shape: 'low'},
@@ -65,9 +65,9 @@ const loop = ({loops}, index) => [
 ];
 
 const bifurcation = ({bifurcation: shown}) => [{plot: 'bifurcation', shape: 'wide tall', title: 'Bifurcation diagram', unit: 'µm',
-  text: 'where the rotor is along x each time its mark passes +x, of what each value leads to: one point is a motion of one turn, k points ' +
-    'one of k turns, a cloud chaos or several frequencies. Dots upwards, rings downwards: where they differ, two motions stand side by side. ' +
-    `Below, the largest Lyapunov exponent of the way up: above 0 neighbouring runs part, which is chaos. ${shown.note}`}];
+  text: 'the rotor\'s position along x each time its mark passes +x, once each value has settled: one point means that the motion repeats every ' +
+    'turn, k points every k turns, a cloud chaos or several frequencies. Dots: upwards; rings: downwards; where they differ, two motions coexist. ' +
+    `Below: the largest Lyapunov exponent on the way up; above 0 neighbouring runs diverge, which is chaos. ${shown.note}`}];
 
 const convergence = () => [{plot: 'convergence', shape: 'wide', title: 'Convergence',
   text: 'the value of each evaluation, and the best so far of those that meet the constraints'}];

@@ -113,7 +113,7 @@ export function responseOf(response, running) {
   const {speed, probes, before, forces, contacts, limit} = response;
   const named = (list, words) => list.map((probe) => ({...probe, name: `${probe.name}${words}`}));
   const intact = (before?.probes || []).slice(0, probes.length).map((probe) => ({...probe, deflection: atSpeeds(probe.deflection, before.speed, speed)}));
-  const all = before ? [...named(intact, ', before the loss'), ...named(probes, ', after it')] : probes;
+  const all = before ? [...named(intact, ', before the loss'), ...named(probes, ', after the loss')] : probes;
   // API 617 limits the peak-to-peak value.
   return {speed: times(rpm, speed), running: rpm * Math.abs(running), forces, ...clearanceOf(contacts), limit: limit && times(0.5 * micro, limit),
     curves: all.map((probe) => curveOf(probe, speed))};

@@ -58,6 +58,7 @@ TEST(Units, GiveTheSiValueToTheLastBits) {
       {"7.85 g/cm^3", kDensity, 7850.0},
       {"20 kN/mm", kStiffness, 20e6},
       {"300 N s/m", kDamping, 300.0},
+      {"30 mPa s", kViscosity, 0.03},
       {"300 N*s/m", kDamping, 300.0},
       {"300 N\u00b7s/m", kDamping, 300.0},
       {"300 N/(m/s)", kDamping, 300.0},

@@ -52,7 +52,7 @@ test('a response has amplitudes, phases, peaks and the contact that is touched f
 test('before and after the loss of a blade stand side by side at the same speeds', () => {
   const before = {speed: [100, 150, 200], probes: [probe('disc', [[1e-6, 0], [2e-6, 0], [3e-6, 0]])]};
   const {curves} = responseOf({...response, before}, 100);
-  assert.deepEqual(curves.map(({name}) => name), ['disc, before the loss', 'disc, after it']);
+  assert.deepEqual(curves.map(({name}) => name), ['disc, before the loss', 'disc, after the loss']);
   assert.deepEqual(curves[0].amplitude.map(Math.round), [1, 3]);
 });
 

@@ -80,7 +80,7 @@ const words = ({title, tone, headline, text}) => [title, tone || '', headline, t
 
 test('the page of modes says how stable the rotor is, and how near the scene is to a critical speed', () => {
   const [at, critical, free] = cardsOf({}).map(words);
-  assert.equal(at, 'The scene\'s speed |  | 954.93 rpm | The nearest critical speed is 830.42 rpm, 13 % below.');
+  assert.equal(at, 'The scene\'s speed |  | 954.93 rpm | The nearest undamped critical speed is 830.42 rpm, 13 % below.');
   assert.match(critical, /830\.42 rpm, 2000 rpm \| undamped; forward/);
   assert.match(free, /good \| stable at all speeds/);
   const [running, , unstable] = cardsOf({unstable_ranges: [[86.96, null]], stability_bound: 100}).map(words);
