@@ -197,8 +197,9 @@ void check_sensors(const Reading& check, const Controller& c) {
   const double samples = c.sensors.delay / c.sample_time;
   if (samples > kMostDelay || std::abs(samples - std::round(samples)) > 1e-9 * samples) {
     check.fail("controller.sensors.delay",
-               "must be a whole number of samples, up to " + number_text(kMostDelay) + ", of " +
-                   number_text(c.sample_time) + " s, got " + number_text(samples));
+               "must be a multiple of controller.sample_time = " + number_text(c.sample_time) +
+                   " s, up to " + number_text(kMostDelay) + " times, got " +
+                   number_text(c.sensors.delay) + " s");
   }
 }
 
@@ -229,7 +230,10 @@ std::vector<Table> control_tables() { return {controller(), sensors(), trigger()
 void check_control(const Reading& check) {
   if (!check.bearing().controller) return;
   const Controller& c = *check.bearing().controller;
-  check.needs("controller", "[stator]", ": the ring is fixed, and there is nothing to move");
+  check.needs("controller", "[stator]",
+              check.scene.magnetic_bearings.empty()
+                  ? ": the ring is fixed, and there is nothing to move"
+                  : ": it moves a ring. A law for magnetic bearings belongs in [magnetic_control]");
   if (needs_contact(c.kind)) {
     check.needs("controller", "[contact]", ": it acts on the gap between rotor and ring");
   }
