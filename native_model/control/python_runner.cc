@@ -147,7 +147,7 @@ def words_of(error, given, name, state_size):
     if isinstance(error, KeyError) and error.args and given is not None and error.args[0] not in given:
         text += f"; {name} has the keys {', '.join(given)}"
         if "config" in given:
-            text += f", and [controller.config] {', '.join(given['config']) or 'nothing'}"
+            text += f", and its config has {', '.join(given['config']) or 'nothing'}"
     if isinstance(error, IndexError) and state_size == 0:
         text += "; the state has no numbers: state_size(law) must return how many it needs"
     if isinstance(error, ModuleNotFoundError):
