@@ -48,8 +48,11 @@ std::string counts_text(sweep::Store& store) {
 }
 
 std::string results_text(const Sweep& sweep, sweep::Store& store) {
-  return fmt::format("{}\nwritten to {} ({}, results.sqlite, {})", counts_text(store),
-                     printable_path(sweep.folder), sweep::kCsvFile, sweep::kPageFile);
+  const auto counts = store.count_by_status();
+  const bool all_ok = std::ranges::all_of(counts, [](const auto& c) { return c.first == "ok"; });
+  return fmt::format("{}\nwritten to {} ({}, results.sqlite, {}){}", counts_text(store),
+                     printable_path(sweep.folder), sweep::kCsvFile, sweep::kPageFile,
+                     all_ok ? "" : "; the column `reason` says why points failed");
 }
 
 // Prints what is stored as JSON, or words for people, which may be empty. Returns kDone.

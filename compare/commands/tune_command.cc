@@ -56,7 +56,7 @@ void write_tuned(const TuneArguments& options, const tune::TuneResult& result) {
   write_whole(options.file, tuned.text);
   say(options,
       fmt::format(
-          "\nwritten to {0}{1}; compare it with\n  rotorub compare {0} --contact {2}{3}\n",
+          "\nwritten to {0}{1}; to compare it, run\n  rotorub compare {0} --contact {2}{3}\n",
           printable_path(options.file),
           tuned.comments_kept && !is_changed(options) ? "" : " (without the comments of the scene)",
           to_string(setting.contact),

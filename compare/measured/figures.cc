@@ -104,7 +104,7 @@ constexpr KnownFigure kKnown[] = {
      {"ring_x", "ring_y", dominant<&DominantWhirl::frequency>}},
     {{"ring_x_rms", "ring along x, rms", "µm", kMicro, kAlone}, {"ring_x", "", deviation}},
     {{"ring_y_rms", "ring along y, rms", "µm", kMicro, kAlone}, {"ring_y", "", deviation}},
-    {{"control_rms", "control force, rms", "N", 1.0, "Rms of the actuator's force."},
+    {{"control_rms", "rms control force", "N", 1.0, "Rms of the actuator's force."},
      {"control_x", "control_y", rms}},
     {{"current_1_rms", "current 1, rms", "A", 1.0, "Rms current of the axis."},
      {"current_1", "", rms}},

@@ -29,7 +29,7 @@ using optimise::Optimum;
 using optimise::Task;
 
 std::string si_footer(const char* command) {
-  return fmt::format("`rotorub {} --json` prints the figures in SI units.", command);
+  return fmt::format("rotorub {} --json prints the figures in SI units.", command);
 }
 
 // The goal of a search and its evaluations in their order, SI.

@@ -91,12 +91,13 @@ std::string run_page(const StoredRun& run, const std::optional<StoredRun>& shado
   json scene = live_data(shown_runs(run, shadow));
   scene["parts"] = page_json(found);
   scene["summary"] = run.summary;
-  return page_of({run.scene.name, "one run", run.scene.name}, found,
-                 {{"scenes", json::array({std::move(scene)})},
-                  {"versions", versions()},
-                  {"ending", {{"text", ending(run)}, {"tone", ok ? "" : "bad"}}}},
-                 "Between rows of the series the page draws a cubic through places and speeds; the "
-                 "gap also meets every impact that lies between.");
+  return page_of(
+      {run.scene.name, "one run", run.scene.name}, found,
+      {{"scenes", json::array({std::move(scene)})},
+       {"versions", versions()},
+       {"ending", {{"text", ending(run)}, {"tone", ok ? "" : "bad"}}}},
+      "Between rows of the series the page draws a cubic through positions and velocities; "
+      "the gap also passes through every impact in between.");
 }
 
 }  // namespace rotorub

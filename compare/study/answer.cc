@@ -21,7 +21,9 @@ std::string reason(const SceneComparison& c, const ComparedModel& m) {
     return c.omission + ", so no difference can be attributed to the contact";
   if (m.resync) return why(*m.resync, c.tolerance);
   const bool untouched = !native.metrics.first_touch && !other.metrics.first_touch;
-  return (untouched ? "nothing touches; " : "") + why(m.judged(), c.tolerance);
+  const std::string figures = why(m.judged(), c.tolerance);
+  if (!untouched) return figures;
+  return figures.empty() ? "nothing touches" : "nothing touches; " + figures;
 }
 
 // The largest differences in plain words. If averages cannot be trusted, one of them comes first.

@@ -236,6 +236,8 @@ TuneResult tune_scene(const bench::SceneReader& reader, const TuneParameters& pa
 
   // 1. Every variant, beginning with the coarsest step.
   References references(result.scene, parameters.twins, parameters.interrupt);
+  // Without a native run, every setting would only seem to be wrong.
+  references.at(result.scene.run.step, result.scene.run.step);
   const Runner run = mujoco_runner(reader, parameters.interrupt);
   SearchParameters how;
   how.steps = parameters.steps;

@@ -68,7 +68,7 @@ fs::path found_in(const scene::Scene& scene, const std::string& key,
   scene::refuse_at(
       scene, key,
       refused.string() +
-          " is not opened: a scene must not run code by itself; if you trust this one, say "
+          " is not opened: a scene must not run code by itself; if you trust this one, add "
           "--allow-library (Python: allow_library=True), or set " +
           kPath + " to its folder");
 }

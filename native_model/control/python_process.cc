@@ -54,7 +54,8 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   return pointers;
 }
 
-// Returns 0, or the error number.
+// Starts the interpreter in a process group of its own, so that a signal to the group of this
+// process (Ctrl-C) does not end it. Returns 0, or the error number.
 int spawn(pid_t* pid, const std::string& program, int socket) {
   std::vector<std::string> words{program, "-u", "-c", std::string(python_runner()),
                                  std::to_string(kSocketOfRunner)};
@@ -64,8 +65,13 @@ int spawn(pid_t* pid, const std::string& program, int socket) {
   posix_spawn_file_actions_adddup2(&actions, socket, kSocketOfRunner);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-  const int error = posix_spawnp(pid, program.c_str(), &actions, nullptr, pointers_to(words).data(),
-                                 pointers_to(environment).data());
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  const int error = posix_spawnp(pid, program.c_str(), &actions, &attributes,
+                                 pointers_to(words).data(), pointers_to(environment).data());
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   return error;
 }

@@ -127,7 +127,7 @@ def expected(of):
     return "two numbers, ux and uy" if of.commands == 2 else f"{of.commands} numbers, one current for each port"
 
 
-def words_of(error, given, name):
+def words_of(error, given, name, state_size):
     """The exception, the innermost places of the law that it came through, and what helps."""
     text = f"{type(error).__name__}: {error}"
     if isinstance(error, SyntaxError):
@@ -146,6 +146,10 @@ def words_of(error, given, name):
         text += f": `{source}`" if source else ""
     if isinstance(error, KeyError) and error.args and given is not None and error.args[0] not in given:
         text += f"; {name} has the keys {', '.join(given)}"
+        if "config" in given:
+            text += f", and its config has {', '.join(given['config']) or 'nothing'}"
+    if isinstance(error, IndexError) and state_size == 0:
+        text += "; the state has no numbers: state_size(law) must return how many it needs"
     if isinstance(error, ModuleNotFoundError):
         text += f"; the law runs in {sys.executable}, and ROTORUB_PYTHON selects another Python"
     return text
@@ -153,10 +157,10 @@ def words_of(error, given, name):
 
 def answer_to(request):
     kind, number, rest = request[:1], request[1:5], request[5:]
-    given, name = None, ""
+    given, name, state_size = None, "", None
     try:
         if kind == b"S":
-            given, name = {}, "now"
+            given, name, state_size = {}, "now", laws[number].state_size
             return b"\0" + step(laws[number], rest, given)
         if kind == b"E":
             return b"\0" + end(laws.pop(number))
@@ -168,7 +172,7 @@ def answer_to(request):
         given, name = asked["setup"], "setup"
         return b"\0" + create(laws[number], given, asked["shape"], asked["commands"])
     except BaseException as error:
-        return b"\1" + words_of(error, given, name).encode("utf-8", "backslashreplace")
+        return b"\1" + words_of(error, given, name, state_size).encode("utf-8", "backslashreplace")
 
 
 sys.dont_write_bytecode = True

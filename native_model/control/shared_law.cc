@@ -20,8 +20,10 @@ std::shared_ptr<void> opened(const std::filesystem::path& file) {
   void* const handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
     const char* why = dlerror();
-    throw std::runtime_error(
-        scene::printable(why != nullptr ? why : "cannot be loaded", kReasonRoom));
+    std::string text = scene::printable(why != nullptr ? why : "cannot be loaded", kReasonRoom);
+    if (text.ends_with("invalid ELF header") || text.ends_with("file too short"))
+      text += ". Give a shared library (.so) or a Python file (.py).";
+    throw std::runtime_error(text);
   }
   return {handle, [](void* h) { dlclose(h); }};
 }
@@ -73,7 +75,7 @@ SharedLaw<Kind>::SharedLaw(const std::filesystem::path& file) : library_(opened(
   functions_ = get();
   if (functions_ == nullptr) refuse("returns no controller");
   if (functions_->abi != Kind::kAbi) {
-    refuse("is of controller ABI " + std::to_string(functions_->abi) +
+    refuse("has controller ABI " + std::to_string(functions_->abi) +
            ", but this program needs ABI " + std::to_string(Kind::kAbi) +
            ". Rebuild it with this program's rotorub/controller.h.");
   }

@@ -39,11 +39,12 @@ EventIntegrator::Result EventIntegrator::run(const State& start, double end, Rec
   std::int64_t ticks = 0;
   while (look_ahead()) {
     pass();
-    if (result_.status != Status::kOk || (ticks++ & 0xff) != 0) continue;
-    if (progress) progress(motion_.t / end_);
+    if (result_.status != Status::kOk) continue;
+    // At every step, because a controller may take long.
     if (interrupt && interrupt->load(std::memory_order_relaxed)) {
       fail(Status::kInterrupted, "interrupted");
     }
+    if ((ticks++ & 0xff) == 0 && progress) progress(motion_.t / end_);
   }
   count_switching_work();
   result_.end = motion_.t;

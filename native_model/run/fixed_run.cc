@@ -296,11 +296,12 @@ class FixedRun {
     message_ = why + " at t = " + std::to_string(t) + " s";
   }
   void tick(std::int64_t k) {
-    if ((k & 0xfff) != 0) return;
+    // At every step, because a controller may take long.
     if (options_.interrupt && options_.interrupt->load(std::memory_order_relaxed)) {
       fail(Status::kInterrupted, time(k), status_reason(Status::kInterrupted));
     }
-    if (options_.progress) options_.progress(static_cast<double>(k) / static_cast<double>(steps_));
+    if ((k & 0xfff) == 0 && options_.progress)
+      options_.progress(static_cast<double>(k) / static_cast<double>(steps_));
   }
 
   const Model& model_;

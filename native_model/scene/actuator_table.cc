@@ -12,8 +12,8 @@ namespace {
 Table actuator() {
   return {
       "actuator",
-      "Moves the ring along the axes (1, 1)/sqrt 2 and (-1, 1)/sqrt 2; s and i are position and "
-      "current of an axis. Needs [stator].",
+      "Moves the ring along the axes (1, 1)/sqrt 2 and (-1, 1)/sqrt 2; s and i are an axis' "
+      "position and current. Needs [stator].",
       "an ideal, unlimited force",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().actuator.emplace(); },
       {word<&Actuator::kind>(

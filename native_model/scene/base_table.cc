@@ -22,7 +22,7 @@ Table base_table() {
                              "A of the lines A cos(w t + `phase`), w = `frequency`"),
        key<&Base::phase>("phase", kAngle, "", "all 0", "phases of the lines"),
        key<&Base::seed>("seed", kPure, ">= 0", "none",
-                        "draws random phases instead, the same in every run"),
+                        "draws the phases at random, the same in every run"),
        key<&Base::direction>("direction", kAngle, "", kStandard,
                              "direction of the lines, from x to y"),
        key<&Base::on>("on", kTime, "", kStandard, "start"),

@@ -12,9 +12,9 @@ namespace {
 Table contact() {
   return {
       "contact",
-      "Contact of the rotor with the ring of an auxiliary bearing. For several use `[[contact]]`, "
-      "each followed by its own `[contact.stator]`, `[contact.actuator]` and "
-      "`[contact.controller]` in place of `[stator]` and so on.",
+      "Contact of rotor and ring. For several use `[[contact]]`, each followed by its own "
+      "`[contact.stator]`, `[contact.actuator]` and `[contact.controller]` in place of `[stator]` "
+      "and so on.",
       "no contact",
       [](Scene& scene) -> void* {
         scene.auxiliary.back().contact.emplace();
@@ -57,9 +57,9 @@ Table compliance() {
   return {
       "contact.compliance",
       "Compliant contact: at penetration p the normal force is N = `stiffness` p^`exponent` (1 + a "
-      "p'), never below 0. By default each touch gets the a for which two free masses rebound with "
-      "`restitution` ([theory](../../native_model/docs/theory.md#compliant-contact)). A sticking "
-      "contact is rigid tangentially.",
+      "p'), never below 0. By default a follows from `restitution` "
+      "([theory](../../native_model/docs/theory.md#compliant-contact)). A sticking contact is "
+      "rigid tangentially.",
       "the contact is rigid",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().contact->compliance.emplace(); },
       {key<&Compliance::stiffness>("stiffness", kContactStiffness, "> 0", kRequired,
@@ -82,7 +82,7 @@ Table friction() {
   };
   return {
       "contact.friction",
-      "Friction that depends on the slip v: mu(v) = kinetic + (static - kinetic) exp(-(v / "
+      "Friction that depends on the slip v: mu = kinetic + (static - kinetic) exp(-(v / "
       "stribeck_speed)^2) + viscous |v|.",
       "mu is constant",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().contact->friction; },

@@ -26,14 +26,14 @@ Table controller() {
            "`passive`: emulated spring and damper; `sliding`: sliding mode that brings the ring to "
            "the rotor; `cross_coupled`: force -k(Omega) e_z x v, v: the ring's velocity; "
            "`two_phase`: `sliding`, then `cross_coupled` from the first touch on; `pd`: spring and "
-           "damper to the rotor; `lqr`, `lqg`: linear quadratic; `library`: your own"),
+           "damper on the error of the gap; `lqr`, `lqg`: linear quadratic; `library`: your own"),
        key<&Controller::on>("on", kTime, "", kStandard,
                             "when it is switched on, or its trigger armed"),
        key<&Controller::sample_time>("sample_time", kTime, ">= 0", kStandard,
                                      "sampling interval; 0: continuous, for laws without memory"),
-       key<&Controller::library>("library", kPure, "", kRequired,
-                                 "shared library or Python file, beside the scene or absolute",
-                                 {"library"}),
+       key<&Controller::library>(
+           "library", kPure, "", kRequired,
+           "shared library or Python file; path relative to the scene, or absolute", {"library"}),
        key<&Controller::bandwidth>("bandwidth", kRate, "> 0", kStandard,
                                    "psi, decay rate of the tracking error",
                                    {"sliding", "two_phase"}),
@@ -53,7 +53,7 @@ Table controller() {
                                  "normal force of the lasting contact",
                                  {"sliding", "two_phase", "pd"}),
        key<&Controller::mass_error>("mass_error", kPure, "> -1", kStandard,
-                                    "relative excess of the law's value for the ring's mass",
+                                    "relative error of the ring mass that the law uses",
                                     {"sliding", "two_phase", "library"}),
        key<&Controller::stiffness>("stiffness", kStiffness, ">= 0", kStandard,
                                    "emulated spring; `pd`: gain on the tracking error",
@@ -90,7 +90,7 @@ Table controller() {
 
 Table sensors() {
   return {"controller.sensors",
-          "Measurements of a sampled controller, with rounding steps (0: none) and standard "
+          "What a sampled controller measures, with rounding steps (0: none) and standard "
           "deviations of noise. Needs `sample_time`.",
           "exact values",
           [](Scene& scene) -> void* { return &scene.auxiliary.back().controller->sensors; },
@@ -98,9 +98,8 @@ Table sensors() {
            key<&Sensors::stator>("stator", kPure, "", kStandard, "whether it is measured"),
            key<&Sensors::spin>("spin", kPure, "", kStandard, "whether it is measured"),
            key<&Sensors::current>("current", kPure, "", kStandard, "whether it is measured"),
-           word<&Sensors::velocity>(
-               "velocity", {"measured", "difference", "none"}, kStandard,
-               "velocities of rotor and ring: measured, from two positions, or unknown"),
+           word<&Sensors::velocity>("velocity", {"measured", "difference", "none"}, kStandard,
+                                    "velocities: measured, from two positions, or unknown"),
            key<&Sensors::delay>("delay", kTime, ">= 0", kStandard,
                                 "time from measurement to command, a multiple of `sample_time`"),
            key<&Sensors::position_resolution>("position_resolution", kLength, ">= 0", kStandard,
@@ -127,7 +126,7 @@ Table trigger() {
       [](Scene& scene) -> void* { return &scene.auxiliary.back().controller->trigger.emplace(); },
       {key<&Trigger::gap>("gap", kLength, "> 0", "none", "measured gap is below this"),
        key<&Trigger::time_to_touch>("time_to_touch", kTime, "> 0", "none",
-                                    "predicted time to touch, gap / closing rate, is below this"),
+                                    "gap / closing rate is below this"),
        key<&Trigger::touch>("touch", kPure, "", kStandard, "rotor and ring have touched")}};
 }
 
@@ -198,8 +197,9 @@ void check_sensors(const Reading& check, const Controller& c) {
   const double samples = c.sensors.delay / c.sample_time;
   if (samples > kMostDelay || std::abs(samples - std::round(samples)) > 1e-9 * samples) {
     check.fail("controller.sensors.delay",
-               "must be a whole number of samples, up to " + number_text(kMostDelay) + ", of " +
-                   number_text(c.sample_time) + " s, got " + number_text(samples));
+               "must be a multiple of controller.sample_time = " + number_text(c.sample_time) +
+                   " s, up to " + number_text(kMostDelay) + " times, got " +
+                   number_text(c.sensors.delay) + " s");
   }
 }
 
@@ -230,7 +230,10 @@ std::vector<Table> control_tables() { return {controller(), sensors(), trigger()
 void check_control(const Reading& check) {
   if (!check.bearing().controller) return;
   const Controller& c = *check.bearing().controller;
-  check.needs("controller", "[stator]", ": the ring is fixed, and there is nothing to move");
+  check.needs("controller", "[stator]",
+              check.scene.magnetic_bearings.empty()
+                  ? ": the ring is fixed, and there is nothing to move"
+                  : ": it moves a ring. A law for magnetic bearings belongs in [magnetic_control]");
   if (needs_contact(c.kind)) {
     check.needs("controller", "[contact]", ": it acts on the gap between rotor and ring");
   }

@@ -28,8 +28,7 @@ Table drive() {
        key<&Drive::torque_limit>("torque_limit", kTorque, "> 0", "none",
                                  "largest torque in either direction", {"speed_controlled"}),
        key<&Drive::acceleration>("acceleration", kAngularAcceleration, "> 0", "`speed` at once",
-                                 "ramp of the reference from `rotor.speed` to `speed`",
-                                 {"speed_controlled"}),
+                                 "ramp from `rotor.speed` to `speed`", {"speed_controlled"}),
        key<&Drive::breakdown_torque>("breakdown_torque", kTorque, "> 0", kRequired,
                                      "T_b, largest torque", {"kloss"}),
        key<&Drive::breakdown_slip>("breakdown_slip", kPure, "> 0", kRequired, "s_b, slip at T_b",
@@ -53,12 +52,12 @@ Table force() {
       "Forces on the rotor, for `on` <= t < `off`.",
       "none",
       [](Scene& scene) -> void* { return &scene.forces.emplace_back(); },
-      {word<&Force::kind>(
-           "kind", {"rotating", "constant", "synchronous", "chirp", "pulse", "unbalance"},
-           kRequired,
-           "`rotating`: at `frequency`; `constant`: `vector`; `synchronous`: with the spin, "
-           "without torque on it; `chirp`: from `frequency` at `on` to `frequency_end` at `off`, "
-           "linearly; `pulse`: a half-sine of `vector`; `unbalance`: a blade lost at `on`"),
+      {word<&Force::kind>("kind",
+                          {"rotating", "constant", "synchronous", "chirp", "pulse", "unbalance"},
+                          kRequired,
+                          "`synchronous`: turns with the spin, without torque on it; `chirp`: from "
+                          "`frequency` at `on` to `frequency_end` at `off`, linearly; `pulse`: a "
+                          "half-sine of `vector`; `unbalance`: a blade lost at `on`"),
        key<&Force::amplitude>("amplitude", kForce, "", kRequired, "size; negative: opposite",
                               {"rotating", "synchronous", "chirp"}),
        key<&Force::frequency>("frequency", kSpin, "", kRequired,

@@ -9,8 +9,8 @@ namespace {
 Table magnetic_bearing() {
   return {
       "magnetic_bearing",
-      "A magnetic bearing; r is the rotor's deflection at its station, i the control current. For "
-      "several use [[magnetic_bearing]], each followed by its own tables.",
+      "A magnetic bearing; r is the rotor's deflection, i the control current. For several use "
+      "[[magnetic_bearing]], each followed by its own tables.",
       "none",
       [](Scene& scene) -> void* { return &scene.magnetic_bearings.emplace_back(); },
       {word<&MagneticBearing::kind>("kind", {"linear", "electromagnet"}, kStandard,
@@ -41,8 +41,8 @@ Table magnetic_bearing() {
 Table bearing_control() {
   return {
       "magnetic_bearing.control",
-      "Feedback of the deflection r at the sensor, on x and on y. A bearing that is off has "
-      "neither current nor negative stiffness.",
+      "Feedback of the deflection r at the sensor, on x and y. A bearing that is off has neither "
+      "current nor negative stiffness.",
       "i = 0",
       [](Scene& scene) -> void* { return &scene.magnetic_bearings.back().control.emplace(); },
       {word<&BearingControl::form>(
@@ -67,7 +67,7 @@ Table bearing_control() {
            "sampling interval; 0: continuous", {"pid", "transfer_function", "state_space"}),
        key<&BearingControl::delay>("delay", kTime, ">= 0", kStandard,
                                    "from sample to current, a multiple of `sample_time`; after "
-                                   "switching on the current is 0 for this time",
+                                   "switching on i is 0 for this time",
                                    {"pid", "transfer_function", "state_space"}),
        key<&BearingControl::numerator>("numerator", kCurrentPerLength, "", kRequired,
                                        "b_0, b_1, ... of H, by powers of 1/z",
@@ -94,9 +94,8 @@ Table bearing_control() {
 Table magnetic_control() {
   return {
       "magnetic_control",
-      "One sampled law for all bearings of kind `shared`, from the p deflections r at their "
-      "sensors to the p currents i: x, y of each bearing in file order. Matrices are listed row by "
-      "row.",
+      "One sampled law for all bearings of kind `shared`, from the p deflections r to the p "
+      "currents i: x, y of each bearing in file order. Matrices are listed row by row.",
       "each bearing has its own law",
       [](Scene& scene) -> void* { return &scene.magnetic_control.emplace(); },
       {word<&SharedControl::kind>(
@@ -114,9 +113,9 @@ Table magnetic_control() {
            "output_matrix", kPure, "", kRequired, "C, p times n", {"matrices"}),
        key<&SharedControl::matrices, &ControlMatrices::feedthrough>(
            "feedthrough", kCurrentPerLength, "", kRequired, "D, p times p", {"matrices"}),
-       key<&SharedControl::library>("library", kPure, "", kRequired,
-                                    "shared library or Python file, beside the scene or absolute",
-                                    {"library"})}};
+       key<&SharedControl::library>(
+           "library", kPure, "", kRequired,
+           "shared library or Python file; path relative to the scene, or absolute", {"library"})}};
 }
 
 Table magnetic_config() {

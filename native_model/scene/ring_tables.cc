@@ -27,7 +27,7 @@ Table stator() {
 
 Table ring_spin() {
   return {"stator.spin",
-          "The rub spins the ring about its axis, as in a ball bearing.",
+          "The rub spins the ring about its axis.",
           "the ring does not turn",
           [](Scene& scene) -> void* { return &scene.auxiliary.back().stator->spin.emplace(); },
           {key<&RingSpin::inertia>("inertia", kInertia, "> 0", kRequired,
@@ -49,7 +49,7 @@ Table mount() {
   return {
       "stator.mount",
       "A housing between ring and base. `stator.stiffness`, `stator.damping` and the tables below "
-      "then act on the housing; the actuator stands on the base.",
+      "act between ring and housing; the actuator stands on the base.",
       "the base carries the ring",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().stator->mount.emplace(); },
       {planes<&Housing::mass>("mass", kMass, "> 0", kRequired, "housing mass"),

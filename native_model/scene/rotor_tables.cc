@@ -45,38 +45,34 @@ Key theory() {
 }
 
 Table rotor() {
-  return {
-      "rotor",
-      "The shaft, given by its geometry (keys below, sections, discs, bearings) or by "
-      "[rotor.modal].",
-      "refused",
-      [](Scene& scene) -> void* { return &scene.rotor; },
-      {key<&Rotor::speed>("speed", kSpin, "", kStandard, "spin speed at t = 0, positive about +z"),
-       shaft<&RotorGeometry::length>("length", kLength, "> 0", kRequired, "shaft length"),
-       shaft<&RotorGeometry::E>("E", kPressure, "> 0", kRequired, "Young's modulus"),
-       shaft<&RotorGeometry::nu>("nu", kPure, "in (-1, 0.5]",
-                                 "0.3; torsion and shear need it or `G`",
-                                 "Poisson's ratio, or give `G`"),
-       shaft<&RotorGeometry::G>("G", kPressure, "> 0", "`E` / (2 (1 + `nu`))", "shear modulus"),
-       shaft<&RotorGeometry::rho>("rho", kDensity, "> 0", kRequired, "density"), theory(),
-       shaft<&RotorGeometry::shear_coefficient>("shear_coefficient", kPure, "> 0",
-                                                "by Cowper (1966)",
-                                                "shear area / area, for `timoshenko`"),
-       shaft<&RotorGeometry::axial_force>("axial_force", kForce, "", kStandard,
-                                          "axial force, tension positive"),
-       modes(),
-       shaft<&RotorGeometry::modes_tolerance>(
-           "modes_tolerance", kPure, "in (0, 1)", kStandard,
-           "for `auto`: relative error of effective mass at the contact and static flexibility at "
-           "contact, bearings and forces"),
-       shaft<&RotorGeometry::max_frequency>("max_frequency", kSpin, "> 0", "by `modes`",
-                                            "highest bending frequency kept, at rest"),
-       shaft<&RotorGeometry::damping_ratio>("damping_ratio", kPure, ">= 0", kStandard,
-                                            "external damping of each mode"),
-       shaft<&RotorGeometry::internal_damping_ratio>(
-           "internal_damping_ratio", kPure, ">= 0", kStandard,
-           "internal (rotating) damping of each mode, at the bearings' mean stiffness (k_x + "
-           "k_y)/2")}};
+  return {"rotor",
+          "The shaft, by its geometry or by [rotor.modal].",
+          "refused",
+          [](Scene& scene) -> void* { return &scene.rotor; },
+          {key<&Rotor::speed>("speed", kSpin, "", kStandard, "spin speed at t = 0"),
+           shaft<&RotorGeometry::length>("length", kLength, "> 0", kRequired, "shaft length"),
+           shaft<&RotorGeometry::E>("E", kPressure, "> 0", kRequired, "Young's modulus"),
+           shaft<&RotorGeometry::nu>("nu", kPure, "in (-1, 0.5]",
+                                     "0.3; torsion and shear need it or `G`",
+                                     "Poisson's ratio, or give `G`"),
+           shaft<&RotorGeometry::G>("G", kPressure, "> 0", "`E` / (2 (1 + `nu`))", "shear modulus"),
+           shaft<&RotorGeometry::rho>("rho", kDensity, "> 0", kRequired, "density"), theory(),
+           shaft<&RotorGeometry::shear_coefficient>("shear_coefficient", kPure, "> 0",
+                                                    "by Cowper (1966)",
+                                                    "shear area / area, for `timoshenko`"),
+           shaft<&RotorGeometry::axial_force>("axial_force", kForce, "", kStandard,
+                                              "axial force, tension positive"),
+           modes(),
+           shaft<&RotorGeometry::modes_tolerance>(
+               "modes_tolerance", kPure, "in (0, 1)", kStandard,
+               "for `auto`: allowed relative error of effective masses and static flexibilities"),
+           shaft<&RotorGeometry::max_frequency>("max_frequency", kSpin, "> 0", "by `modes`",
+                                                "highest bending frequency kept, at rest"),
+           shaft<&RotorGeometry::damping_ratio>("damping_ratio", kPure, ">= 0", kStandard,
+                                                "external damping of each mode"),
+           shaft<&RotorGeometry::internal_damping_ratio>(
+               "internal_damping_ratio", kPure, ">= 0", kStandard,
+               "internal (rotating) damping of each mode, at the bearings' mean stiffness")}};
 }
 
 Table section() {

@@ -9,8 +9,7 @@ namespace rotorub::scene {
 Table rule_table() {
   return Table{
       "check",
-      "Rules that `rotorub check` applies to the scene's runs "
-      "([compare/check/README.md](../../compare/check/README.md)).",
+      "Rules of [`rotorub check`](../../compare/check/README.md).",
       "only the rules of every run",
       nullptr,
       {key<&Rule::metric>("metric", kPure, "", "none",
@@ -24,7 +23,7 @@ Table rule_table() {
        key<&Rule::max>("max", kPure, "", "no limit", "limit of a passing value, in SI units"),
        word<&Rule::expect>(
            "expect", {"pass", "refused"}, kStandard,
-           "the run completes; or it is refused, or ends with a status that says why"),
+           "the run completes, or it is refused or ends with a status that says why"),
        key<&Rule::why>("why", kPure, "", kRequired, "why the case is hard, in a sentence")}}
       .as_list();
 }

@@ -35,7 +35,7 @@ Key start_of_ring(std::string_view name, const Quantity& quantity, std::string_v
 Table initial() {
   return {
       "initial",
-      "State at t = 0; lists have one value per mode. The spin speed is `rotor.speed`.",
+      "State at t = 0; lists have one value per mode.",
       "all 0",
       [](Scene& scene) -> void* { return &scene; },
       {key<&Scene::initial, &Initial::steady>(
@@ -66,13 +66,12 @@ Table mujoco() {
       "How MuJoCo runs the scene.",
       "the defaults",
       [](Scene& scene) -> void* { return &scene.mujoco; },
-      {word<&Mujoco::rotor>(
-           "rotor", {"modal", "segments"}, kStandard,
-           "modal coordinates as in the native model, or rigid segments (geometry form)"),
+      {word<&Mujoco::rotor>("rotor", {"modal", "segments"}, kStandard,
+                            "native modal coordinates, or rigid segments (geometry form)"),
        key<&Mujoco::segments>("segments", kPure, "in [2, 200]", kStandard,
                               "pieces of the segment rotor"),
        word<&Mujoco::contact>("contact", contact_words<std::vector<std::string_view>>(), kStandard,
-                              "`rigid`: impulses by the plugin; `coulomb`: MuJoCo's soft normal "
+                              "`rigid`: the plugin's impulses; `coulomb`: MuJoCo's soft normal "
                               "contact with Coulomb friction; `cone`: MuJoCo's friction cone; "
                               "`cone-coulomb`: the cone, corrected for sliding"),
        word<&Mujoco::integrator>("integrator", {"euler", "implicit", "rk4"}, kStandard,
@@ -87,9 +86,9 @@ Table mujoco() {
                                     "B of the soft contact (direct solref)"),
        key<&Mujoco::friction_reference>(
            "friction_reference", kRate, "> 0", "as for the normal row",
-           "B_t of the friction rows of `cone` (solreffriction, MuJoCo 2.3.6 on)"),
+           "B_t of the friction rows of `cone` (solreffriction of MuJoCo 2.3.6)"),
        key<&Mujoco::shadow>("shadow", kPure, "", kStandard,
-                            "run the native model alongside, with sensors and a ghost"),
+                            "run the native model alongside, as sensors and a ghost"),
        key<&Mujoco::bearing_currents>(
            "bearing_currents", kPure, "", kStandard,
            "two actuators per magnetic bearing with an amplifier, whose ctrl (A) is added")}};

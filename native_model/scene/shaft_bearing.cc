@@ -70,10 +70,9 @@ std::array<double, 8> coefficients_at(const ShaftBearing& bearing, double speed)
 Table shaft_bearing_table() {
   return Table{
       "rotor.bearing",
-      "Linear bearings between shaft and base: springs and dampers, or an oil film with F_x = "
-      "-k_xx x - k_xy y - c_xx x' - c_xy y' and F_y alike. The coefficients `table_kxx` ... have "
-      "one value per `table_speed`, interpolated by a monotone cubic (Fritsch-Carlson), constant "
-      "beyond the ends.",
+      "Linear bearings between shaft and base: F_x = -k_xx x - k_xy y - c_xx x' - c_xy y', and F_y "
+      "alike. The coefficients `table_kxx` ... have one value per `table_speed`, interpolated by a "
+      "monotone cubic and constant beyond the ends.",
       "none",
       [](Scene& scene) -> void* { return &geometry_of(scene).bearings.emplace_back(); },
       {key<&ShaftBearing::z>("z", kLength, ">= 0", kRequired, "axial position")
@@ -85,7 +84,7 @@ Table shaft_bearing_table() {
                                            "[k_xy, k_yx]"),
        key<&ShaftBearing::cross_damping>("cross_damping", kDamping, "", kStandard, "[c_xy, c_yx]"),
        key<&ShaftBearing::offset>("offset", kLength, "", kStandard,
-                                  "distance from the line of the other bearings"),
+                                  "distance from the other bearings' line"),
        key<&ShaftBearing::table_speed>("table_speed", kSpin, "", "constant coefficients",
                                        "ascending speeds, two or more"),
        key<&ShaftBearing::table_kxx>("table_kxx", kStiffness, "", "needed with `table_speed`",
@@ -117,8 +116,8 @@ Table pedestal_table() {
 Table journal_table() {
   return Table{
       "rotor.bearing.journal",
-      "A plain journal bearing by its dimensions; Reynolds' equation gives its coefficients about "
-      "the position of rest under `load`.",
+      "A plain journal bearing; Reynolds' equation gives its coefficients about the position of "
+      "rest under `load`.",
       "springs and dampers, or tables",
       [](Scene& scene) -> void* { return &geometry_of(scene).bearings.back().journal.emplace(); },
       {key<&JournalBearing::diameter>("diameter", kLength, "> 0", kRequired, "of the journal"),

@@ -55,8 +55,12 @@ std::optional<std::string> out_of_range(const Model& m, const double* q, RingDep
   if (m.first().contact) return {};
   for (int i = 0; i < 2 * m.layout.modes; ++i) {
     if (!(std::abs(q[i]) >= kNowhere)) continue;
-    return "the rotor has left: a bending mode is at " + text(q[i]) +
-           " m, there is no ring, and nothing else holds it";
+    // The caller adds the time.
+    const std::string why =
+        m.feedbacks.empty()
+            ? "there is no ring, and nothing else holds it"
+            : "the magnetic bearings do not hold it (`rotorub modes` prints their poles)";
+    return "the rotor has left, because " + why + "; a bending mode is at " + text(q[i]) + " m";
   }
   return {};
 }

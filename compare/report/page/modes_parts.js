@@ -121,8 +121,8 @@ function peakParts(bode) {
 }
 
 const loopParts = (loops) => (loops.some(({sensitivity, step}) => sensitivity.length || step.length) ? [{class: 'plots', parts: [{heading: 'Closed loop of the magnetic bearings'},
-  {text: 'Linear, with the modes kept, within the limits of currents and voltages. The hold and the delay of a sampled control are included. ' +
-    'Bearings by colour, the axis y dashed.'}, ...loops.map((_, index) => ({plots: 'loop', index}))]}] : []);
+  {text: 'This analysis is linear, with the modes kept, and assumes that no current or voltage reaches its limit. It includes the hold and the ' +
+    'delay of a sampled control. Colours distinguish the bearings; axis y is dashed.'}, ...loops.map((_, index) => ({plots: 'loop', index}))]}] : []);
 
 // The tables of lasting rubs, each with the contact that it belongs to, and all other parts of their section.
 function splitRubs(parts) {

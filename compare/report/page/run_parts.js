@@ -20,7 +20,8 @@ export function nearestCritical({campbell}) {
 
 // summary: of summary.json, SI.
 export function runCards({summary, contacts, rotor}) {
-  const {first_touch: touch, settled, least_gap: gap, peak_impulse: impulse, peak_force: force, hard_impacts: hard} = summary;
+  const {first_touch: touch, settled, least_gap: gap, peak_impulse: impulse, peak_force: force, hard_impacts: hard,
+    control_force: control} = summary;
   const touches = touch !== null && touch !== undefined, critical = nearestCritical(rotor);
   const counted = `${hard} hard impact${hard === 1 ? '' : 's'}`;
   const ofContact = !contacts[0].touches ? [] : touches ? [
@@ -29,6 +30,7 @@ export function runCards({summary, contacts, rotor}) {
     impulse > 0 ? card('Largest impact', units.impulse(impulse), counted) : card('Largest force', units.force(force ?? 0), counted),
   ] : [card('First touch', 'none', typeof gap !== 'number' ? 'in this run' : `smallest gap ${units.length(gap)}, ${percent(gap / contacts[0].clearance)} of the clearance`)];
   return [...ofContact,
+    ...(control > 0 ? [card('Control force', units.force(control), 'root mean square over the whole run')] : []),
     card('Settles to', settled?.attractor ?? 'unknown', settled?.whirl_frequency ?
       `whirl at ${short(settled.whirl_frequency / (2 * Math.PI))} Hz in the last fifth of the run` : 'in the last fifth of the run'),
     ...(critical ? [card('Margin to a critical speed', percent(critical.share),
