@@ -62,7 +62,8 @@ std::optional<double> ring_speed(const Trajectory& run, double from) {
   return fastest;
 }
 
-// Rms force of the actuator that has the largest one; empty without actuators.
+// Rms force of the actuator that has the largest one, over the time of the rows, which need not be
+// equally spaced; empty without actuators.
 std::optional<double> rms_control(const Trajectory& trajectory) {
   std::optional<double> largest;
   for (std::size_t k = 0; trajectory.rows() > 0 && k < trajectory.contacts; ++k) {
@@ -70,9 +71,14 @@ std::optional<double> rms_control(const Trajectory& trajectory) {
     if (!trajectory.has(along_x)) continue;
     const auto &x = trajectory.column(along_x),
                &y = trajectory.column(column_of_contact(k, "control_y"));
-    double square = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i) square += x[i] * x[i] + y[i] * y[i];
-    largest = std::max(largest.value_or(0.0), std::sqrt(square / static_cast<double>(x.size())));
+    const auto square = [&](std::size_t i) { return x[i] * x[i] + y[i] * y[i]; };
+    const auto& t = trajectory.column("t");
+    const double span = t.back() - t.front();
+    double mean = span > 0.0 ? 0.0 : square(0);
+    for (std::size_t i = 1; span > 0.0 && i < x.size(); ++i) {
+      mean += 0.5 * (square(i - 1) + square(i)) * (t[i] - t[i - 1]) / span;
+    }
+    largest = std::max(largest.value_or(0.0), std::sqrt(mean));
   }
   return largest;
 }

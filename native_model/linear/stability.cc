@@ -197,6 +197,11 @@ std::vector<UnstableRange> ranges_of(const WhirlSystem& system, double sense, bo
   constexpr double kStep = 1.5;
   constexpr double kFirst = 0.1;  // of the lowest frequency
   const StabilitySearch search(system, sense);
+  // A growing whirl whose frequency rises with the speed may leave the modes kept, but it still
+  // grows.
+  WhirlSystem more = system;
+  more.kept = std::min(2 * system.kept, static_cast<int>(system.size()));
+  const StabilitySearch wide(more, sense);
   constexpr double kEver = std::numeric_limits<double>::infinity();
   std::vector<UnstableRange> ranges;
   Sample before = search.at(0.0);
@@ -214,10 +219,10 @@ std::vector<UnstableRange> ranges_of(const WhirlSystem& system, double sense, bo
     const Sample next = search.at(speed);
     while (before.speed < speed) {
       if (!ranges.empty() && std::isinf(ranges.back().to)) {
-        auto found = search.first_recovery(before, next);
+        const auto found = wide.first_recovery(wide.at(before.speed), wide.at(speed));
         if (!found) break;
         ranges.back().to = found->first;
-        before = std::move(found->second);
+        before = search.at(found->second.speed);
       } else {
         const std::optional<double> found = search.first_growth(before, next);
         if (!found) break;
