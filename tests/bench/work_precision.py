@@ -15,6 +15,7 @@ at 3e-14; the errors of `event` at given tolerances are `rotorub bench`'s, again
 
 import argparse
 import csv
+import functools
 import json
 import pathlib
 import re
@@ -170,7 +171,8 @@ def scipy_solver(method):
 
 
 METHODS = {"DOP853": scipy_solver(DOP853), "LSODA": scipy_solver(LSODA), "Radau": scipy_solver(Radau),
-           "exponential": ExponentialGauss}
+           "exponential": ExponentialGauss, "exponential, fixed J": functools.partial(ExponentialGauss, fixed=True)}
+DENSE = ("DOP853", "LSODA")  # their dense output is good enough for events
 
 
 def solve(machine, method, tolerance, scale, keep=False):
@@ -188,7 +190,7 @@ def solve(machine, method, tolerance, scale, keep=False):
             steps += 1
             h, start, t, y = solver.t - t, t, solver.t, solver.y
             until = t
-            if method == "exponential" and machine.mode == "flight":  # a long step may leave the ring and come back
+            if method.startswith("exponential") and machine.mode == "flight":  # a long step may leave the ring and come back
                 times = np.linspace(start, t, 65 + int(16 * (t - start) * np.abs(solver.eigenvalues).max()))[1:]
                 until = next((time for time, at in zip(times, solver.at(times)) if machine.margin(time, at) < 0.0), t)
             ended = until < t or machine.margin(t, y) < 0.0
@@ -219,7 +221,7 @@ def locate(machine, method, start, before, until, dense, tolerance, scale):
     if share(first) <= 0.0:
         return start, before
     t = brentq(share, first, until, xtol=1e-300, rtol=4 * np.finfo(float).eps, maxiter=200)
-    if method in ("DOP853", "LSODA") or t - start < 1e-9:
+    if method in DENSE or t - start < 1e-9:
         return t, dense(t)
     if machine.mode == "rigid":
         little = 1e-4 * (t - start)
