@@ -1,5 +1,5 @@
-"""The table of work and precision of tests/bench: its command in a short form, whether README.md still shows what the command
-runs, and the agreement of `event` with solvers that share no code with it."""
+"""The tables of work and precision of tests/bench: their command in a short form, whether README.md still shows what the
+command runs, and the agreement of `event` with solvers that share no code with it."""
 
 import sys
 import unittest
@@ -35,6 +35,11 @@ class WorkPrecision(unittest.TestCase):
         for name in work_precision.PROBLEMS:
             for method in ("`event`", *work_precision.METHODS):
                 self.assertIn(f"| {name} | {method} |", text)
+
+    def test_the_work_for_an_error_lies_between_the_rows(self):
+        rows = [(1e-6, 10, 100, 1e-6), (1e-8, 20, 400, 1e-8)]
+        self.assertAlmostEqual(work_precision.work_for(rows, 1e-7), 200.0)
+        self.assertIsNone(work_precision.work_for(rows, 1e-9))
 
     def test_lagrange_polynomials_are_one_at_their_node(self):
         nodes = np.array([0.1, 0.4, 0.9])
