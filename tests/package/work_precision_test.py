@@ -1,4 +1,4 @@
-"""The tables of work and precision of tests/bench: their command in a short form, whether README.md still shows what the
+"""Work and precision in tests/bench: the command in a short form, whether README.md still shows what the
 command runs, and the agreement of `event` with solvers that share no code with it."""
 
 import sys
