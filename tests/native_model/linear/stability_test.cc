@@ -158,6 +158,27 @@ TEST(StabilityThreshold, FindsAWindowBetweenTwoPointsOfATable) {
   EXPECT_NEAR(*found, *by_hand, 0.01);
 }
 
+// Cross-coupling makes the forward whirl of the first mode grow at all speeds. Its gyroscopic
+// moment lifts its frequency beyond that of the second mode, so that it is no longer among the
+// modes kept.
+TEST(StabilityThreshold, AGrowingWhirlIsFollowedBeyondTheModesKept) {
+  WhirlSystem system;
+  const Eigen::Vector2d stiffness(1e4, 1e6), damping(0.0, 50.0), gyroscopic(1.5, 0.0);
+  system.stiffness_x = system.stiffness_y = stiffness.asDiagonal();
+  system.damping_x = system.damping_y = damping.asDiagonal();
+  system.gyroscopic = gyroscopic.asDiagonal();
+  system.internal_xx = system.internal_xy = system.internal_yy = Eigen::Matrix2d::Zero();
+  system.films.push_back({Eigen::Vector2d(1.0, 0.0), {{0.0, 500.0, -500.0, 0.0}, nullptr}});
+  system.kept = 1;
+  system.isotropic = true;
+  const WhirlSpectrum beyond = whirl_spectrum(system, 2000.0);
+  EXPECT_NEAR(beyond.modes.back().frequency, 1000.0, 1.0) << "the growing whirl is faster";
+  const std::vector<UnstableRange> ranges = unstable_ranges(system);
+  ASSERT_EQ(ranges.size(), 1U);
+  EXPECT_EQ(ranges[0].from, 0.0);
+  EXPECT_TRUE(std::isinf(ranges[0].to)) << ranges[0].to;
+}
+
 // In the spin's own sense: a machine and its mirror image, which turns the other way, have one
 // threshold.
 TEST(StabilityThreshold, OfTheMirrorImageIsTheSame) {
