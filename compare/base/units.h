@@ -1,4 +1,4 @@
-// The units in which people read speeds, frequencies and lengths.
+// The units in which people read speeds, frequencies, lengths and times.
 #pragma once
 
 #include <numbers>
@@ -9,6 +9,7 @@ namespace rotorub {
 
 inline constexpr double kRpm = 30.0 / std::numbers::pi;  // rpm per rad/s
 inline constexpr double kMilli = 1e3;                    // mm per m, ms per s
+inline constexpr double kMicro = 1e6;                    // µm per m, µs per s
 inline constexpr double kHz = 0.5 / std::numbers::pi;    // Hz per rad/s
 
 // How people read a value in an SI unit: Hz for rad/s.

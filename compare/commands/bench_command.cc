@@ -1,6 +1,7 @@
 // rotorub bench: measures speed against error for every engine on a ladder of steps or tolerances.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <memory>
@@ -13,7 +14,7 @@
 #include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
 #include "compare/report/beside.h"
-#include "compare/report/command_pages.h"
+#include "compare/report/page_frame.h"
 #include "compare/result/result.h"
 #include "native_model/trajectory/output.h"
 
@@ -52,13 +53,17 @@ void check_scenes(const BenchArguments& options) {
   });
 }
 
-void write_results(const BenchArguments& options, const bench::Machine& machine,
-                   const std::vector<bench::SceneBench>& benches,
-                   const std::vector<bench::RestitutionRow>& restitution) {
+void write_results(const BenchArguments& options, const result::Section& result,
+                   const std::vector<bench::SceneBench>& benches) {
   const std::filesystem::path folder(options.folder);
-  write_whole(folder / kBenchFile,
-              json_text(json_of(bench::result_of(machine, benches, restitution))));
-  write_whole(folder / kBenchPage, bench_page(machine, benches, restitution));
+  std::vector<std::string> names, texts;
+  for (const bench::SceneBench& bench : benches) {
+    names.push_back(bench.scene.name);
+    texts.push_back(bench.scene.text);
+  }
+  write_whole(folder / kBenchFile, json_text(json_of(result)));
+  write_whole(folder / kBenchPage, page_of("bench", fmt::format("{}", fmt::join(names, ", ")),
+                                           result, {{"texts", texts}}));
   say(options,
       fmt::format("\nwritten to {}: bench.html, bench.json\n", printable_path(options.folder)));
 }
@@ -79,17 +84,17 @@ int run_bench(const BenchArguments& options) {
     if (interrupted()) throw Interrupted();
     say(options, (k > 0 ? "\n" : "") + text_of(bench::scene_section(benches.back())));
   }
-  const bench::Machine machine = bench::this_machine();
   std::vector<bench::RestitutionRow> restitution;
   if (!options.folder.empty()) {
     restitution = bench::restitution_table(
         [&](double share, const std::string& what) { bar.show(share, what); }, &interrupted());
     bar.clear();
     if (interrupted()) throw Interrupted();
-    write_results(options, machine, benches, restitution);
   }
+  const result::Section result = bench::result_of(bench::this_machine(), benches, restitution);
+  if (!options.folder.empty()) write_results(options, result, benches);
   // People have read the results of each scene.
-  if (options.json) finish(bench::result_of(machine, benches, restitution), options);
+  if (options.json) finish(result, options);
   return kDone;
 }
 

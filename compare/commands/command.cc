@@ -14,6 +14,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "compare/base/units.h"
 #include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
 #include "compare/sweep/shard.h"
@@ -252,7 +253,6 @@ void check_sample_times(const scene::Scene& scene, const CommonOptions& options)
                               : control->sample_time;
     const double ratio = sample / scene.run.step;
     if (std::round(ratio) >= 1.0 && is_whole(ratio)) continue;
-    constexpr double kMicro = 1e6;
     const std::string why = fmt::format(
         "the sample time of {} ({:.6g} us) must be a multiple of the step ({:.6g} us). Use, for "
         "example, --step {:.6g}us",

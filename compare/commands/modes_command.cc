@@ -14,6 +14,7 @@
 #include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
 #include "compare/commands/value_range.h"
+#include "compare/modes/page_data.h"
 #include "compare/modes/periodic_rubs.h"
 #include "compare/modes/result.h"
 #include "compare/modes/rotor_analysis.h"
@@ -21,7 +22,7 @@
 #include "compare/modes/rub_branches_text.h"
 #include "compare/modes/rub_key_map.h"
 #include "compare/modes/rub_map_text.h"
-#include "compare/report/command_pages.h"
+#include "compare/report/page_frame.h"
 #include "compare/result/result.h"
 #include "compare/sweep/study_reader.h"
 #include "native_model/linear/rub_map.h"
@@ -100,22 +101,16 @@ void say_progress(ProgressBar& bar, double share, const char* what) {
   bar.show(share, what);
 }
 
-std::string page_of(const ModesArguments& options, const scene::Scene& scene,
-                    const RotorAnalysis& analysis, std::optional<double> asked_range) {
-  ProgressBar bar(options.quiet);
-  return modes_page(scene, campbell_of(scene, analysis, asked_range, [&](double share) {
-                      say_progress(bar, share, "Campbell diagram");
-                    }));
-}
-
-// Prints the result, and writes its page if there is an output for it.
-int finish_with_page(result::Section found, const ModesArguments& options,
-                     const std::function<std::string()>& page) {
-  if (!options.output.empty()) {
-    write_whole(page_file(options), page());
-    found.add({result::line(""), written_to(page_file(options))});
-  }
-  return finish(found, options);
+// Writes the page if there is an output for it, and says where. data: for page_of, besides the
+// scene.
+std::vector<result::Part> written_page(const ModesArguments& options, const char* kind,
+                                       const scene::Scene& scene, const result::Section& shown,
+                                       const std::function<nlohmann::json()>& data = {}) {
+  if (options.output.empty()) return {};
+  nlohmann::json all = data ? data() : nlohmann::json::object();
+  all["texts"] = {scene.text};
+  write_whole(page_file(options), page_of(kind, scene.name, shown, std::move(all)));
+  return {result::line(""), written_to(page_file(options))};
 }
 
 // ---------------------------------------------------------------- the map of lasting rubs
@@ -138,13 +133,14 @@ MapAxis axis_of(const char* option, const std::string& text, MapAxis standard) {
 // if not given.
 RubKeyMap rub_map_of(const ModesArguments& options, const scene::Scene& scene,
                      std::vector<double> speeds, std::vector<double> frictions) {
-  constexpr int kSpeeds = 60, kFrictions = 20;
+  constexpr int kSpeeds = 60, kFrictions = 20;      // 60 columns and 20 lines fit a terminal
+  constexpr double kSlowest = 0.2, kFastest = 2.0;  // shares of the scene's speed
   if (speeds.empty() && options.across.empty()) {
     const double speed = std::abs(scene.rotor.speed);
     if (speed == 0.0)
       throw UsageError(
           "--rub-map: the rotor of this scene does not turn; give the spin speeds with --speeds");
-    speeds = even_values(0.2 * speed, 2.0 * speed, kSpeeds);
+    speeds = even_values(kSlowest * speed, kFastest * speed, kSpeeds);
   }
   if (frictions.empty()) frictions = even_values(0.025, 0.5, kFrictions);
   ProgressBar bar(options.quiet);
@@ -179,16 +175,18 @@ int show_branches(const ModesArguments& options) {
   bar.clear();
   if (interrupted()) throw Interrupted();
   result::Section found = rub_branches_result(scene::printable(scene.name), all);
-  if (options.output.empty()) return finish(found, options);
-  const std::filesystem::path page = page_file(options);
-  std::filesystem::path table = page;
-  write_whole(table.replace_extension(".csv"), rub_branches_csv(all));
-  return finish_with_page(std::move(found), options, [&] { return branches_page(scene, all); });
+  if (!options.output.empty())
+    write_whole(page_file(options).replace_extension(".csv"), rub_branches_csv(all));
+  found.add(written_page(options, "branches", scene, found));
+  return finish(found, options);
 }
 
 // rotorub modes --feedback-map: by default spin speeds from half to one and a half times the
 // scene's, and k from 0 to 10 sqrt(mass stiffness) of the ring.
 int show_feedback(const ModesArguments& options) {
+  constexpr int kSpeeds = 21, kFeedbacks = 81;
+  constexpr double kSlowest = 0.5, kFastest = 1.5;  // shares of the scene's speed
+  constexpr double kMost = 10.0;                    // of k, relative to sqrt(mass stiffness)
   std::vector<double> speeds = given_range("--speeds", options.map_speeds, scene::kSpin);
   const scene::Scene scene = read_scene(options.scene, options);
   if (speeds.empty()) {
@@ -197,7 +195,7 @@ int show_feedback(const ModesArguments& options) {
       throw UsageError(
           "--feedback-map: the rotor of this scene does not turn; give the spin speeds with "
           "--speeds");
-    speeds = even_values(0.5 * speed, 1.5 * speed, 21);
+    speeds = even_values(kSlowest * speed, kFastest * speed, kSpeeds);
   }
   ProgressBar bar(options.quiet || options.json);
   const rub::FeedbackMap map = with_place(scene, [&] {
@@ -206,15 +204,16 @@ int show_feedback(const ModesArguments& options) {
       throw UsageError("--feedback-map: the ring is fixed; give a scene with [stator]");
     const std::vector<double> feedbacks =
         options.map_feedbacks.empty()
-            ? even_values(0.0, 10.0 * std::sqrt(system.ring->mass * system.ring->stiffness), 81)
+            ? even_values(0.0, kMost * std::sqrt(system.ring->mass * system.ring->stiffness),
+                          kFeedbacks)
             : range_values("--feedbacks", options.map_feedbacks, scene::kDamping);
     return rub::feedback_map(system, speeds, feedbacks,
                              [&](double share) { say_progress(bar, share, "feedback"); });
   });
   bar.clear();
-  return finish_with_page({.parts = {result::Data{"feedback_map", feedback_map_json(map)},
-                                     feedback_map_table(scene.name, map)}},
-                          options, [&] { return feedback_map_page(scene, map); });
+  result::Section found = feedback_map_result(scene.name, map);
+  found.add(written_page(options, "feedback_map", scene, found));
+  return finish(found, options);
 }
 
 // rotorub modes --state-space: prints JSON regardless of other options. If there are several rings,
@@ -264,17 +263,26 @@ int modes(const ModesArguments& options) {
   const std::string name = scene::printable(scene.name);
   result::Section found = modes_result(name, analysis);
   if (!options.rub_map) {
-    return finish_with_page(std::move(found), options,
-                            [&] { return page_of(options, scene, analysis, range); });
+    found.add(written_page(options, "modes", scene, found, [&] {
+      ProgressBar bar(options.quiet);
+      return modes_data(scene, campbell_of(scene, analysis, range, [&](double share) {
+                          say_progress(bar, share, "Campbell diagram");
+                        }));
+    }));
+    return finish(found, options);
   }
   const RubKeyMap map = rub_map_of(options, scene, std::move(map_speeds), std::move(frictions));
   // People see the picture alone.
-  found.seen = result::kJson;
-  return finish_with_page(
-      {.parts = {std::move(found), options.json
-                                       ? result::Part(result::Data{"rub_map", rub_map_json(map)})
-                                       : rub_map_picture(name, map)}},
-      options, [&] { return rub_map_page(scene, map); });
+  result::Section picture = rub_map_picture(name, map);
+  picture.add(written_page(options, "rub_map", scene, picture, [&]() -> nlohmann::json {
+    return {{"rub_map",
+             {{"across", axis_json(map.across)},
+              {"up", axis_json(map.up)},
+              {"columns", rub_columns(map.points)}}}};
+  }));
+  if (!options.json) return finish(picture, options);
+  found.add({result::Data{"rub_map", rub_map_json(map)}});
+  return finish(found, options);
 }
 
 }  // namespace

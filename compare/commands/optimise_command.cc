@@ -15,7 +15,7 @@
 #include "compare/optimise/goal.h"
 #include "compare/optimise/optimiser.h"
 #include "compare/optimise/output.h"
-#include "compare/report/command_pages.h"
+#include "compare/report/page_frame.h"
 #include "compare/result/result.h"
 #include "native_model/scene/overrides.h"
 #include "native_model/trajectory/output.h"
@@ -57,7 +57,9 @@ void write_files(const path& folder, const optimise::Task& task, const optimise:
       columns_text({{kEvaluationsFile, columns_json(optimise::evaluations_columns(task))}}));
   write_whole(folder / kOptimumFile, json);
   if (!best.empty()) write_whole(folder / kBestFile, best);
-  write_whole(folder / kPageFile, optimum_page(name, task, optimum, best));
+  write_whole(folder / kPageFile,
+              page_of("optimise", name, optimise::result_of(name, task, optimum),
+                      {{"search", search_json(task, optimum)}, {"texts", {best}}}));
 }
 
 int run_optimise(const OptimiseArguments& options) {

@@ -37,13 +37,19 @@ struct RunArguments : CommonOptions, MeasuredArguments {
   bool lyapunov = false;
 };
 
+bool is_native(const RunArguments& options) { return options.engine == "native"; }
+
+scene::Integrator integrator_of(const RunArguments& options, const scene::Scene& scene) {
+  return integrator_named(options.integrator).value_or(scene.run.integrator);
+}
+
 std::unique_ptr<Engine> engine_of(const RunArguments& options, const scene::Scene& scene) {
-  if (options.engine == "native") {
+  if (is_native(options)) {
     if (!options.contact.empty() && options.contact != "rigid") {
       throw UsageError("--contact {} belongs to --engine mujoco; the native engine has only rigid",
                        options.contact);
     }
-    return native_engine(integrator_named(options.integrator).value_or(scene.run.integrator));
+    return native_engine(integrator_of(options, scene));
   }
   if (!options.integrator.empty()) {
     throw UsageError(
@@ -54,7 +60,7 @@ std::unique_ptr<Engine> engine_of(const RunArguments& options, const scene::Scen
 }
 
 bool writes_shadow(const RunArguments& options, const scene::Scene& scene) {
-  return options.engine == "mujoco" && scene.mujoco.shadow;
+  return !is_native(options) && scene.mujoco.shadow;
 }
 
 // Writes the run of the native model that ran alongside in the plugin. Only a controller of the
@@ -100,7 +106,7 @@ result::Section lyapunov_result(const Lyapunov& found) {
 std::optional<MeasuredRun> laid_in(const MeasuredInput& measured, const scene::Scene& scene,
                                    const RunArguments& options, const Trajectory& trajectory) {
   if (!measured.record || trajectory.status == Status::kInterrupted) return std::nullopt;
-  const std::string label = options.engine == "native" ? "native" : trajectory.contact_model;
+  const std::string label = is_native(options) ? "native" : trajectory.contact_model;
   return with_record(measured, [&] {
     return lay_in(*measured.record, measured.alignment, scene, {{label, &trajectory}});
   });
@@ -118,18 +124,15 @@ std::vector<std::string> output_files(const RunArguments& options, const scene::
 
 int run(const RunArguments& options) {
   const hdf5::ImageOf hdf5 = hdf5_of(options.format);
-  if (options.lyapunov && options.engine != "native")
+  if (options.lyapunov && !is_native(options))
     throw UsageError("--lyapunov belongs to --engine native; remove it, or use that engine");
   const MeasuredInput measured = measured_of(options);
   const scene::Scene scene = read_scene(options.scene, options);
   const auto engine = engine_of(options, scene);
-  if (options.engine == "native") {
-    note_idle_step(options, integrator_named(options.integrator).value_or(scene.run.integrator));
-  }
-  const bool adapts = options.engine == "native" &&
-                      integrator_named(options.integrator).value_or(scene.run.integrator) ==
-                          scene::Integrator::kEvent;
-  if (!adapts) check_sample_times(scene, options);
+  const scene::Integrator integrator = integrator_of(options, scene);
+  if (is_native(options)) note_idle_step(options, integrator);
+  if (!is_native(options) || integrator != scene::Integrator::kEvent)
+    check_sample_times(scene, options);
   const path folder = options.folder.empty() ? path("runs") / (scene.name + "-" + engine->name())
                                              : path(options.folder);
   check_output_folder(folder, output_files(options, scene, folder));

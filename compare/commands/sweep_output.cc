@@ -11,12 +11,13 @@
 #include "compare/base/columns.h"
 #include "compare/commands/terminal.h"
 #include "compare/report/page.h"
-#include "compare/report/sweep_page.h"
+#include "compare/report/page_frame.h"
 #include "compare/result/result.h"
 #include "compare/run_files/run_directory.h"
 #include "compare/run_files/summary.h"
 #include "compare/sweep/bifurcation.h"
 #include "compare/sweep/group_statistics.h"
+#include "compare/sweep/page_data.h"
 #include "compare/sweep/point_result.h"
 #include "compare/sweep/point_run.h"
 #include "native_model/trajectory/output.h"
@@ -47,22 +48,22 @@ nlohmann::json bifurcation_of(const SweepArguments& options, const Sweep& sweep)
 
 std::string point_folder(std::int64_t point) { return fmt::format("point-{}", point); }
 
-// The links from the page to the runs of points.
-PointRuns point_runs(const SweepArguments& options, const Sweep& sweep) {
-  PointRuns runs{fmt::format("rotorub sweep {} -o {}", sweep::shell_word(options.study),
-                             sweep::shell_word(sweep.folder.string())),
-                 {}};
-  if (options.allow_library || !options.controller.empty()) runs.command += " --allow-library";
+// The runs of points for the page (page_data).
+nlohmann::json point_runs(const SweepArguments& options, const Sweep& sweep) {
+  std::string command = fmt::format("rotorub sweep {} -o {}", sweep::shell_word(options.study),
+                                    sweep::shell_word(sweep.folder.string()));
+  if (options.allow_library || !options.controller.empty()) command += " --allow-library";
   for (const std::string& text : overrides_of(options))
-    runs.command += " --set " + sweep::shell_word(text);
+    command += " --set " + sweep::shell_word(text);
+  nlohmann::json kept = nlohmann::json::object();
   for (const auto& entry : std::filesystem::directory_iterator(sweep.folder)) {
     const std::string name = entry.path().filename().string();
     std::int64_t point = 0;
     if (std::sscanf(name.c_str(), "point-%" SCNd64, &point) == 1 &&
         std::filesystem::exists(entry.path() / kRunPage))
-      runs.kept[point] = name + "/" + kRunPage;
+      kept[std::to_string(point)] = name + "/" + kRunPage;
   }
-  return runs;
+  return {{"command", command}, {"kept", kept}, {"points", sweep.scenes->sample().size()}};
 }
 
 }  // namespace
@@ -96,9 +97,12 @@ void write_results(const SweepArguments& options, const Sweep& sweep, sweep::Sto
                             sweep.folder / sweep::kStatisticsFile);
   }
   write_whole(sweep.folder / kColumnsFile, columns_text(columns));
-  write_whole(sweep.folder / sweep::kPageFile,
-              sweep_page(*sweep.scenes, store, sweep.study, kept, point_runs(options, sweep),
-                         bifurcation_of(options, sweep)));
+  result::Section answer;
+  for (const std::string sentence : kept.at("answer")) answer.add({result::Sentence{sentence}});
+  const nlohmann::json data =
+      sweep::page_data(*sweep.scenes, store, sweep.study, kept, point_runs(options, sweep),
+                       bifurcation_of(options, sweep));
+  write_whole(sweep.folder / sweep::kPageFile, page_of("sweep", kept.at("name"), answer, data));
 }
 
 // rotorub sweep STUDY.toml -o DIR --point N: saves the run of the point as `rotorub run` does, with

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "compare/base/format.h"
 #include "compare/base/json.h"
@@ -73,16 +72,17 @@ const Figure kFigures[] = {
       "Rms of the actuator's force on the ring over the whole run; of several, the largest."},
      {kRel, kAverage, 0.1},
      of<&Metrics::control_force>},
-    {{"near_miss", "least gap", "µm", 1e6, "Smallest gap of a run without contact."},
+    {{"near_miss", "least gap", "µm", kMicro, "Smallest gap of a run without contact."},
      {kRel, kAverage, 1e-5},
      [](const Metrics& m) { return m.first_touch ? kNone : of<&Metrics::least_gap>(m); }},
     {{"contact_peak", "largest force", "N", 1.0, "Largest force of a compliant contact."},
      {kRel, kPeak},
      of<&Metrics::contact_peak>},
-    {{"contact_depth", "largest depth", "µm", 1e6, "Largest penetration of a compliant contact."},
+    {{"contact_depth", "largest depth", "µm", kMicro,
+      "Largest penetration of a compliant contact."},
      {kRel, kPeak},
      of<&Metrics::contact_depth>},
-    {{"contact_time", "time in contact", "ms", 1e3, "Time in compliant contact."},
+    {{"contact_time", "time in contact", "ms", kMilli, "Time in compliant contact."},
      {kRel, kAverage},
      of<&Metrics::contact_time>},
     {{"impact_impulse", "largest impact", "N s", 1.0,
@@ -98,7 +98,7 @@ const Figure kFigures[] = {
       "Impacts (soft contact: contact episodes) faster than 1 % of the fastest."},
      {kCount, kPeak, 1.0, false},
      of<&Metrics::hard_impacts>},
-    {{"gap_rate_rms", "rms gap rate", "mm/s", 1e3,
+    {{"gap_rate_rms", "rms gap rate", "mm/s", kMilli,
       "Rms of the gap rate from first touch; several contacts: root of the sum of squares."},
      {kRel, kPeak, kGapRateResolution},
      of<&Metrics::gap_rate_rms>},
@@ -121,15 +121,15 @@ const Figure kFigures[] = {
       "Impacts that close faster than 0.1 mm/s (soft contact: contact episodes)."},
      {kCount, kNo, 1.0},
      of<&Metrics::impacts>},
-    {{"max_penetration", "penetration, max", "µm", 1e6,
+    {{"max_penetration", "penetration, max", "µm", kMicro,
       "Largest penetration; with a rigid contact at most the distance travelled in one step."},
      {kRel, kNo, 0.0, true, false},
      of<&Metrics::max_penetration>},
-    {{"rms_penetration", "penetration, rms", "µm", 1e6,
+    {{"rms_penetration", "penetration, rms", "µm", kMicro,
       "Rms of the penetration from first touch; several contacts: root of the sum of squares."},
      {kRel, kNo, 0.0, true, false},
      of<&Metrics::rms_penetration>},
-    {{"whirl_penetration", "one step's depth", "µm", 1e6,
+    {{"whirl_penetration", "one step's depth", "µm", kMicro,
       "(v_t dt)^2 / (2 delta_0): penetration of a whirling rotor after one step along the "
       "tangent."},
      {kRel, kNo, 0.0, false, false, true},

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "compare/base/json.h"
 #include "compare/figures/figure.h"
 
 namespace rotorub {
@@ -26,17 +25,14 @@ json figure_json(const Figure& figure, const Metrics& m) {
   const bool is_count = !*figure.unit && std::isfinite(value);
   return is_count ? json(std::llround(value)) : json(value);
 }
+// null where an optional member is empty.
 template <auto Member>
 json read(const Metrics& m) {
-  return m.*Member;
-}
-template <auto Member>
-json read_or_null(const Metrics& m) {
-  return number_or_null(m.*Member);
-}
-template <auto Member>
-json count_or_null(const Metrics& m) {
-  return m.*Member ? json(*(m.*Member)) : json();
+  if constexpr (requires { *(m.*Member); }) {
+    return m.*Member ? json(*(m.*Member)) : json();
+  } else {
+    return m.*Member;
+  }
 }
 template <auto Member>
 json settled_at(const Metrics& m) {
@@ -49,20 +45,19 @@ const MetricKey kMetricKeys[] = {
     {"wall_s", "s", "computing time; not a result", read<&Metrics::wall_s>, true},
     {"us_per_step", "us", "computing time of a step; not a result", read<&Metrics::us_per_step>,
      true},
-    {"first_touch", "s", "time of the first touch; null: never",
-     read_or_null<&Metrics::first_touch>},
+    {"first_touch", "s", "time of the first touch; null: never", read<&Metrics::first_touch>},
     {"least_gap", "m", "smallest gap of all rows and ends of steps; null: no [contact]",
-     read_or_null<&Metrics::least_gap>},
+     read<&Metrics::least_gap>},
     {"peak_impulse", "N s", "largest normal impulse of one impact", read<&Metrics::peak_impulse>},
     {"friction_impulse", "N s", "friction impulse on the rotor along e_t",
      read<&Metrics::friction_impulse>},
     {"forward_passes", "",
      "turns of the rotor around its ring from first touch; of several contacts, the largest number",
-     count_or_null<&Metrics::forward_passes>},
+     read<&Metrics::forward_passes>},
     {"backward_passes", "",
      "turns of the rotor around its ring from first touch; of several contacts, the largest number",
-     count_or_null<&Metrics::backward_passes>},
-    {"whirl_time", "s", "time that these turns took", read_or_null<&Metrics::whirl_time>},
+     read<&Metrics::backward_passes>},
+    {"whirl_time", "s", "time that these turns took", read<&Metrics::whirl_time>},
     {"real_time_factor", "", "simulated time / computing time; not a result",
      read<&Metrics::real_time_factor>, true},
     {"settled.attractor", "",

@@ -66,7 +66,6 @@ struct KnownFigure {
 };
 
 constexpr Bound kAtLeast = Bound::kAtLeast, kAtMost = Bound::kAtMost;
-constexpr double kMicro = 1e6;
 constexpr const char* kAlone = "Rms about the mean, if the other axis is not measured.";
 constexpr KnownFigure kKnown[] = {
     {{"mean_force", "mean force", "N", 1.0, "Mean of the samples of force; a run's impacts count."},

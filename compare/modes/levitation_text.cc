@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compare/base/units.h"
+#include "compare/modes/whirl_tables.h"
 
 namespace rotorub {
 namespace {
@@ -18,7 +19,6 @@ using nlohmann::json;
 using result::line;
 using result::number;
 
-constexpr double kMicro = 1e6;
 constexpr double kPoleRoundOff = 1e-10;  // of a pole, as a share of the largest
 
 double largest_pole(const std::vector<std::complex<double>>& poles) {
@@ -158,13 +158,6 @@ bool has_poles(const Levitation& levitation) {
   return has_loop(levitation) && levitation.poles_refused.empty();
 }
 
-std::string levitation_title(double speed, const Levitation& levitation) {
-  return fmt::format("closed loop of the magnetic bearings at {:.6g} rad/s{}", speed,
-                     levitation.sample_time > 0.0
-                         ? fmt::format(", sampled every {:.4g} s", levitation.sample_time)
-                         : "");
-}
-
 std::string instability_text(double speed, const Levitation& levitation) {
   if (!levitation.poles_refused.empty())
     return fmt::format("Stability is unknown, because {}.", levitation.poles_refused);
@@ -186,9 +179,12 @@ result::Section levitation_section(double speed, const Levitation& levitation) {
   result::Section section{
       "levitation",
       {Data{"sample_time", levitation.sample_time}, Data{"poles", poles_json(levitation)},
-       Data{"poles_refused", refused.empty() ? json() : json(refused)},
-       Data{"loops", json::array()},
-       line("\n" + levitation_title(speed, levitation), result::Role::kHeading)}};
+       Data{"poles_refused", text_or_null(refused)}, Data{"loops", json::array()},
+       line(fmt::format("\nclosed loop of the magnetic bearings at {:.6g} rad/s{}", speed,
+                        levitation.sample_time > 0.0
+                            ? fmt::format(", sampled every {:.4g} s", levitation.sample_time)
+                            : ""),
+            result::Role::kHeading)}};
   if (!refused.empty())
     section.add({line(fmt::format("  The poles are unknown, because {}.", refused))});
   if (refused.empty()) section.add(pole_parts(levitation));

@@ -15,15 +15,13 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kMicrons = 1e6;
-
 // Empty if the rotor is at rest or has no vibration.
 std::string vibration_sentence(const FreeOrbit& orbit, double speed) {
   const double limit = vibration_limit(speed);
   if (!std::isfinite(limit) || orbit.vibration == 0.0) return "";
   return fmt::format(
       "{:.4g} µm peak to peak; API 617 allows {:.4g} µm (at the probes near the bearings)",
-      kMicrons * orbit.vibration, kMicrons * limit);
+      kMicro * orbit.vibration, kMicro * limit);
 }
 
 // "radius 636.1 µm" for a circle about the ring's centre.
@@ -31,8 +29,8 @@ std::string size_text(const FreeOrbit& orbit) {
   constexpr double kRoundOff = 1e-9;
   const double largest = *orbit.largest, radius = 0.5 * orbit.vibration;
   return std::abs(radius - largest) <= kRoundOff * largest
-             ? fmt::format("radius {:.4g} µm", kMicrons * largest)
-             : fmt::format("up to {:.4g} µm from the middle of the ring", kMicrons * largest);
+             ? fmt::format("radius {:.4g} µm", kMicro * largest)
+             : fmt::format("up to {:.4g} µm from the middle of the ring", kMicro * largest);
 }
 
 // An orbit at a contact and its time: " before the loss".
@@ -70,8 +68,8 @@ std::vector<result::Part> orbit_parts(const ContactPlace& place, const TimedOrbi
       data,
       Sentence{.text = fmt::format(
                    "{}: {}, {}", where, size_text(orbit),
-                   gap > 0.0 ? fmt::format("least gap {:.4g} µm", kMicrons * gap)
-                             : fmt::format("{:.4g} µm more than the clearance", -kMicrons * gap)),
+                   gap > 0.0 ? fmt::format("least gap {:.4g} µm", kMicro * gap)
+                             : fmt::format("{:.4g} µm more than the clearance", -kMicro * gap)),
                .lead = "  "}};
   const std::string vibration = at.in_service ? vibration_sentence(orbit, speed) : "";
   if (!vibration.empty())

@@ -38,12 +38,8 @@ struct RotorResponse {
 // speed: rad/s, either sign. Infinite at rest.
 double vibration_limit(double speed);
 
-// {"orbit": m or null, largest distance of the rotor's centre from the ring's
-// (linear/steady_orbit.h), "least_gap": m, < 0 if they would touch, or null, "vibration": m, peak
-// to peak, "vibration_limit": m, of API 617 at this speed, null at rest, "refused": why there is no
-// such orbit, or null, "before_loss": the same keys except this one for the scene before a loss, or
-// null}. speed: rad/s.
-// People read the response before the loss first, with its vibration.
+// README.md lists its keys. People read the response before a loss first, with its vibration.
+// speed: rad/s.
 result::Section response_section(const ContactPlace& place, const RotorResponse& response,
                                  double speed);
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "compare/base/units.h"
 #include "native_model/linear/free_motion.h"
 #include "native_model/prepare/prepare.h"
 #include "native_model/rotor/modal_rotor.h"
@@ -90,7 +91,7 @@ void note_modes_left_out(scene::Scene free, int modes, const std::vector<double>
       response.few_modes.push_back(fmt::format(
           "the response{} uses the {} modes kept; with {} modes it is {:.3g} µm ({:+.2g} %)",
           place.name.empty() ? "" : fmt::format(" at contact \"{}\"", place.name), modes, 2 * modes,
-          1e6 * *many, 100.0 * (*many / *few - 1.0)));
+          kMicro * *many, 100.0 * (*many / *few - 1.0)));
     }
   }
 }
@@ -146,12 +147,6 @@ RotorAnalysis analyse_free_rotor(const scene::Scene& scene, const std::vector<do
 const char* sense_of(const WhirlMode& mode, double speed) {
   if (mode.frequency == 0.0) return mode.damping_ratio == 0.0 ? "rigid" : "overdamped";
   return (mode.frequency > 0.0) == (speed >= 0.0) ? "forward" : "backward";
-}
-
-bool is_unstable(const RotorAnalysis& analysis, double speed) {
-  return std::ranges::any_of(analysis.unstable, [speed](const UnstableRange& range) {
-    return (speed > range.from || range.from == 0.0) && speed < range.to;
-  });
 }
 
 const char* to_string(StationKind kind) {

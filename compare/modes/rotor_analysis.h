@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "compare/modes/periodic_rubs.h"
@@ -59,8 +58,6 @@ RotorAnalysis analyse_free_rotor(const scene::Scene& scene, const std::vector<do
 // "forward", "backward", "overdamped", or "rigid" for s = 0. Forward is the direction of the spin,
 // and at rest the direction from x to y.
 const char* sense_of(const WhirlMode& mode, double speed);
-// Whether a whirl grows at this speed (rad/s, absolute value).
-bool is_unstable(const RotorAnalysis& analysis, double speed);
 
 // "disc", "bearing", "contact", "drive", "magnetic_bearing", "force".
 const char* to_string(StationKind kind);

@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "compare/base/format.h"
+#include "compare/base/json.h"
+#include "compare/base/plot_points.h"
 #include "compare/base/units.h"
-#include "compare/modes/result.h"
 #include "compare/modes/rub_analysis.h"
+#include "compare/modes/rub_result.h"
 #include "native_model/scene/text.h"
 
 namespace rotorub {
@@ -18,14 +20,15 @@ namespace {
 
 using nlohmann::json;
 using result::Section, result::Sentence, result::Table;
+using rub::RubKind, rub::RubPoint, rub::StandingRub;
 
 // Indexed by the bits of the set (rub::Attractor). Rolling, which is possible nearly everywhere, is
 // marked by a capital letter.
 constexpr std::array<char, 16> kLetters = {'-', '.', 'r', 'b', 'w', 'v', 'x', 'a',
                                            'o', 'O', 'R', 'B', 'W', 'V', 'X', 'A'};
 
-nlohmann::json rows_of(const Eigen::MatrixXd& matrix) {
-  nlohmann::json rows = nlohmann::json::array();
+json rows_of(const Eigen::MatrixXd& matrix) {
+  json rows = json::array();
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
     const Eigen::VectorXd row = matrix.row(i);
     rows.push_back(std::vector<double>(row.data(), row.data() + row.size()));
@@ -52,6 +55,65 @@ std::vector<std::string> state_names(const LinearPlant& plant) {
   return names;
 }
 
+// A figure at each speed, in rows, and at each feedback.
+json feedback_rows(const rub::FeedbackMap& map, json (*figure)(const rub::FeedbackPoint&)) {
+  json rows = json::array();
+  for (std::size_t i = 0; i < map.speeds.size(); ++i) {
+    json& row = rows.emplace_back(json::array());
+    for (std::size_t j = 0; j < map.feedbacks.size(); ++j) row.push_back(figure(map.at(i, j)));
+  }
+  return rows;
+}
+
+json feedback_map_json(const rub::FeedbackMap& map) {
+  using Point = rub::FeedbackPoint;
+  json rule = json::array();
+  for (const auto& k : map.rule()) rule.push_back(k ? json(k->point->feedback) : json());
+  return {{"speeds", map.speeds},
+          {"feedbacks", map.feedbacks},
+          {"growth",
+           feedback_rows(
+               map, [](const Point& p) { return p.forced ? json(p.forced->growth) : json(); })},
+          {"stable",
+           feedback_rows(map, [](const Point& p) { return json(p.forced && p.forced->stable); })},
+          {"frequency",
+           feedback_rows(
+               map, [](const Point& p) { return p.forced ? json(p.forced->frequency) : json(); })},
+          {"normal_force",
+           feedback_rows(map, [](const Point& p) { return number_or_null(p.normal_force); })},
+          {"whip", feedback_rows(map, [](const Point& p) { return json(p.whip); })},
+          {"rule", rule}};
+}
+
+template <RubKind kind, class Value>
+json of_leading(const RubPoint& point, Value value) {
+  const StandingRub* leading = point.leading(kind);
+  return leading ? number_or_null(value(*leading)) : json();
+}
+
+double growth(const StandingRub& r) { return r.stability.growth; }
+double pair_frequency(const StandingRub& r) { return r.stability.frequency; }
+double force(const StandingRub& r) { return r.rub.normal_force; }
+double whirl(const StandingRub& r) { return r.rub.whirl; }
+
+struct RubFigure {
+  const char* name;
+  json (*value)(const RubPoint&);
+};
+constexpr RubFigure kRubFigures[] = {
+    {"attractors", [](const RubPoint& p) { return json(attractors_text(p.attractors())); }},
+    {"rub_growth", [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, growth); }},
+    {"rub_frequency",
+     [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, pair_frequency); }},
+    {"rub_force", [](const RubPoint& p) { return of_leading<RubKind::kForced>(p, force); }},
+    {"whip_growth", [](const RubPoint& p) { return of_leading<RubKind::kWhip>(p, growth); }},
+    {"whip_whirl", [](const RubPoint& p) { return of_leading<RubKind::kWhip>(p, whirl); }},
+    {"whip_force", [](const RubPoint& p) { return of_leading<RubKind::kWhip>(p, force); }},
+    {"rolling_force", [](const RubPoint& p) { return of_leading<RubKind::kRolling>(p, force); }},
+    {"free_orbit",
+     [](const RubPoint& p) { return p.orbit ? number_or_null(*p.orbit / p.clearance) : json(); }},
+};
+
 }  // namespace
 
 json rub_map_json(const RubKeyMap& map) {
@@ -61,6 +123,16 @@ json rub_map_json(const RubKeyMap& map) {
   if (map.of_speed_and_friction())
     return {{"speeds", map.across.values}, {"frictions", map.up.values}, {"points", points}};
   return {{"across", axis_json(map.across)}, {"up", axis_json(map.up)}, {"points", points}};
+}
+
+json rub_columns(const std::vector<std::optional<RubPoint>>& points) {
+  json columns = json::object();
+  for (const RubFigure& figure : kRubFigures) {
+    columns[figure.name] = list_of(points, [&](const std::optional<RubPoint>& point) {
+      return point ? figure.value(*point) : json();
+    });
+  }
+  return columns;
 }
 
 Section rub_map_picture(const std::string& name, const RubKeyMap& map) {
@@ -86,8 +158,6 @@ Section rub_map_picture(const std::string& name, const RubKeyMap& map) {
   text += fmt::format("{:>10}+{}\n{:>11}{}{:>{}}\n", common ? "friction " : "",
                       std::string(columns, '-'), "", low, high, wide - low.size());
   text += common ? "\n" : fmt::format("{:>11}{}\n\n", "", axis_title(map.across));
-  Sentence picture = result::line(text);
-  picture.seen = result::kTerminal;
   Table legend{"",
                {{.width = -5, .seen = result::kTerminal},
                 {.width = -60, .title = "stable together"},
@@ -101,7 +171,8 @@ Section rub_map_picture(const std::string& name, const RubKeyMap& map) {
   }
   Section all{.parts = {result::line(name + ": which rubs are stable, by their eigenvalues",
                                      result::Role::kCaption),
-                        Sentence{}, picture, legend}};
+                        Sentence{},
+                        Sentence{.text = text, .wraps = false, .seen = result::kTerminal}, legend}};
   if (!map.refused.empty())
     all.add({Sentence{}, Sentence{.text = "Blank: refused, " + map.refused}});
   all.add({Sentence{},
@@ -114,7 +185,7 @@ Section rub_map_picture(const std::string& name, const RubKeyMap& map) {
   return all;
 }
 
-nlohmann::json state_space_json(const scene::Scene& scene, const LinearPlant& plant) {
+json state_space_json(const scene::Scene& scene, const LinearPlant& plant) {
   return {{"speed", scene.rotor.speed},
           {"states", state_names(plant)},
           {"inputs", {"control_x", "control_y"}},
@@ -122,32 +193,6 @@ nlohmann::json state_space_json(const scene::Scene& scene, const LinearPlant& pl
           {"A", rows_of(plant.a)},
           {"B", rows_of(plant.b)},
           {"C", rows_of(plant.c)}};
-}
-
-nlohmann::json feedback_map_json(const rub::FeedbackMap& map) {
-  json growth = json::array(), stable = growth, frequency = growth, force = growth, whip = growth,
-       rule = growth;
-  for (std::size_t i = 0; i < map.speeds.size(); ++i) {
-    json g = json::array(), s = g, w = g, f = g, beside = g;
-    for (std::size_t j = 0; j < map.feedbacks.size(); ++j) {
-      const rub::FeedbackPoint& p = map.at(i, j);
-      g.push_back(p.forced ? json(p.forced->growth) : json());
-      w.push_back(p.forced ? json(p.forced->frequency) : json());
-      s.push_back(p.forced && p.forced->stable);
-      f.push_back(p.normal_force ? json(*p.normal_force) : json());
-      beside.push_back(p.whip);
-    }
-    growth.push_back(g);
-    stable.push_back(s);
-    frequency.push_back(w);
-    force.push_back(f);
-    whip.push_back(beside);
-  }
-  for (const auto& k : map.rule()) rule.push_back(k ? json(k->point->feedback) : json());
-  return {{"speeds", map.speeds},   {"feedbacks", map.feedbacks},
-          {"growth", growth},       {"stable", stable},
-          {"frequency", frequency}, {"normal_force", force},
-          {"whip", whip},           {"rule", rule}};
 }
 
 std::string feedback_keys(const rub::FeedbackMap& map) {
@@ -163,9 +208,7 @@ std::string feedback_keys(const rub::FeedbackMap& map) {
   return fmt::format("feedback = [{}]\nfeedback_speed = [{}]\n", feedback, speed);
 }
 
-Section feedback_map_table(const std::string& name, const rub::FeedbackMap& map) {
-  Sentence headings = result::line("   speed         k   stable from      to      decay     force");
-  headings.seen = result::kTerminal;
+Section feedback_map_result(const std::string& name, const rub::FeedbackMap& map) {
   Table table{"",
               {{.heading = "Hz", .width = 8, .title = "speed / Hz"},
                {.heading = "N s/m", .width = 10, .title = "k / N s/m"},
@@ -193,11 +236,17 @@ Section feedback_map_table(const std::string& name, const rub::FeedbackMap& map)
                                     {*p.normal_force},
                                     {.text = p.whip ? "  beside a whip" : ""}}});
   }
-  Section all{.parts = {result::line(fmt::format("{}: cross-coupled feedback k, by the eigenvalues "
-                                                 "of the forced rub",
-                                                 scene::printable(name)),
-                                     result::Role::kCaption),
-                        Sentence{}, headings, table}};
+  Section all{
+      .parts = {result::Data{"feedback_map", feedback_map_json(map)},
+                result::line(fmt::format("{}: cross-coupled feedback k, by the eigenvalues "
+                                         "of the forced rub",
+                                         scene::printable(name)),
+                             result::Role::kCaption),
+                Sentence{},
+                Sentence{.text = "   speed         k   stable from      to      decay     force",
+                         .wraps = false,
+                         .seen = result::kTerminal},
+                table}};
   const std::string keys = feedback_keys(map);
   if (!keys.empty()) all.add({Sentence{}, result::line("In [controller]:"), result::line(keys)});
   return all;

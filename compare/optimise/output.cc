@@ -9,6 +9,8 @@
 
 #include "compare/base/columns.h"
 #include "compare/base/format.h"
+#include "compare/base/json.h"
+#include "compare/base/plot_points.h"
 #include "compare/base/units.h"
 #include "compare/figures/figure.h"
 #include "compare/sweep/folder.h"
@@ -156,6 +158,32 @@ Section result_of(const std::string& name, const Task& task, const Optimum& opti
     all.add({Data{"best", nullptr}, result::line(nothing_text(optimum))});
   }
   return all;
+}
+
+nlohmann::json search_json(const Task& task, const Optimum& optimum) {
+  const auto key = [](const sweep::Vary& vary) -> nlohmann::json {
+    return {{"name", vary.key},
+            {"unit", vary.unit},
+            {"range", {vary.from, vary.to}},
+            {"log", vary.spacing == sweep::Spacing::kLog}};
+  };
+  const auto constraint = [](const Constraint& c) -> nlohmann::json {
+    return {{"name", c.figure.text}, {"unit", unit_of(c.figure)}, {"text", constraint_text(c)}};
+  };
+  const auto evaluation = [](const Evaluation& e) -> nlohmann::json {
+    return {{"values", e.values},
+            {"figure", number_or_null(e.figure)},
+            {"constraints", list_of(e.constraints, number_or_null)},
+            {"feasible", e.ok() && e.violation <= Optimum::kFeasible},
+            {"status", e.status}};
+  };
+  return {{"figure", task.goal.figure.text},
+          {"unit", unit_of(task.goal.figure)},
+          {"maximise", task.goal.maximise},
+          {"best", optimum.best ? nlohmann::json(*optimum.best) : nlohmann::json()},
+          {"keys", list_of(task.study.vary, key)},
+          {"constraints", list_of(task.goal.constraints, constraint)},
+          {"evaluations", list_of(optimum.evaluations, evaluation)}};
 }
 
 std::string evaluations_csv(const Task& task, const Optimum& optimum) {

@@ -16,6 +16,9 @@ namespace rotorub::optimise {
 // if no evaluation meets the constraints}.
 result::Section result_of(const std::string& name, const Task& task, const Optimum& optimum);
 
+// For the page: the goal of a search and its evaluations in their order, SI.
+nlohmann::json search_json(const Task& task, const Optimum& optimum);
+
 // evaluations.csv: a header line, then one line per evaluation in their order, SI; and its columns.
 // The task must outlive them.
 std::string evaluations_csv(const Task& task, const Optimum& optimum);

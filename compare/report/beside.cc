@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "compare/base/plot_points.h"
 #include "compare/check/output.h"
-#include "compare/report/plot_points.h"
 #include "compare/sweep/folder.h"
 #include "native_model/scene/reader.h"
 

@@ -15,7 +15,7 @@ struct Beside {
   // Scenes of bench.json, each with "machine": where it was measured.
   nlohmann::json benches = nlohmann::json::array();
   nlohmann::json cases = nlohmann::json::array();   // parts for page/layout.js
-  nlohmann::json sweeps = nlohmann::json::array();  // sweep_json (sweep_page.h)
+  nlohmann::json sweeps = nlohmann::json::array();  // sweep/page_data.h
 };
 
 // Reads each folder and the folders directly within it, sorted by name. Throws std::runtime_error

@@ -6,10 +6,10 @@
 #include <complex>
 #include <nlohmann/json.hpp>
 
+#include "compare/base/plot_points.h"
 #include "compare/measured/sampled_run.h"
 #include "compare/metrics/rows.h"
 #include "compare/report/pack/packed_run.h"
-#include "compare/report/plot_points.h"
 #include "compare/report/plots.h"
 #include "compare/report/whirl_plots.h"
 

@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/base/format.h"
+#include "compare/base/plot_points.h"
 #include "compare/base/version.h"
+#include "compare/modes/page_data.h"
 #include "compare/report/page_frame.h"
-#include "compare/report/plot_points.h"
 #include "compare/report/plots.h"
-#include "compare/report/rotor_data.h"
 #include "compare/report/what_if.h"
 #include "compare/run_files/summary.h"
 #include "compare/study/result.h"
@@ -73,16 +73,9 @@ std::string report_page(const std::vector<PageScene>& scenes, const Beside& besi
     found.add({std::move(compared)});
   }
   const SceneComparison* first = scenes.empty() ? nullptr : scenes.front().comparison;
-  const std::string mode = to_string(first ? first->mode : CompareMode::kLockstep);
-  data["mode"] = mode;
+  data["mode"] = to_string(first ? first->mode : CompareMode::kLockstep);
   data["tolerance"] = first ? first->tolerance : 0.0;
-  return page_of(
-      {fmt::format("{}", fmt::join(names, ", ")), mode + " comparison",
-       "Can MuJoCo's contact forces be trusted?"},
-      found, data,
-      fmt::format(
-          "MuJoCo {}. Assumptions: small deflections, no tilt, wear or heat in the contact.",
-          mujoco_version()));
+  return page_of("report", fmt::format("{}", fmt::join(names, ", ")), found, std::move(data));
 }
 
 std::string run_page(const StoredRun& run, const std::optional<StoredRun>& shadow) {
@@ -91,13 +84,10 @@ std::string run_page(const StoredRun& run, const std::optional<StoredRun>& shado
   json scene = live_data(shown_runs(run, shadow));
   scene["parts"] = page_json(found);
   scene["summary"] = run.summary;
-  return page_of(
-      {run.scene.name, "one run", run.scene.name}, found,
-      {{"scenes", json::array({std::move(scene)})},
-       {"versions", versions()},
-       {"ending", {{"text", ending(run)}, {"tone", ok ? "" : "bad"}}}},
-      "Between rows of the series the page draws a cubic through positions and velocities; "
-      "the gap also passes through every impact in between.");
+  return page_of("run", run.scene.name, found,
+                 {{"scenes", json::array({std::move(scene)})},
+                  {"versions", versions()},
+                  {"ending", {{"text", ending(run)}, {"tone", ok ? "" : "bad"}}}});
 }
 
 }  // namespace rotorub

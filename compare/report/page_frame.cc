@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "compare/base/plot_points.h"
 #include "compare/base/version.h"
 #include "compare/report/assets.h"
-#include "compare/report/plot_points.h"
 #include "compare/report/what_if.h"
 #include "compare/result/result.h"
 
@@ -49,29 +49,22 @@ std::string filled(std::string_view frame, const std::map<std::string, std::stri
   return page.append(frame);
 }
 
-std::string page_of(const PageHead& head, const result::Section& found, const json& data,
-                    const std::string& footer) {
+std::string page_of(const std::string& kind, const std::string& names, const result::Section& found,
+                    json data) {
   const bool live = data.contains("scenes");
+  data["page"] = {{"kind", kind}, {"names", names}};
+  if (!live) data["page"].update({{"parts", page_json(found)}, {"found", json_of(found)}});
   return filled(page_html(),
-                {{"names", escaped(head.names)},
-                 {"topic", escaped(head.topic)},
-                 {"heading", escaped(head.heading)},
+                {{"names", escaped(names)},
                  {"version", program_version()},
                  {"css", std::string(report_css()) + std::string(live ? player_css() : "")},
                  {"text", escaped(text_of(found))},
-                 {"footer", escaped(footer)},
                  // The page's script unpacks and starts it after the page is drawn.
                  {"plotly", base64(packed_plotly_js())},
                  {"module", live ? module_scripts(data.at("scenes")) : ""},
                  // "<" could end the script element with the data.
                  {"data", replace_all_copy(shortened(data).dump(), "<", "\\u003c")},
                  {"scripts", std::string(live ? report_js() : still_js())}});
-}
-
-std::string laid_out_page(const PageHead& head, const result::Section& found,
-                          const std::string& kind, json data, const std::string& footer) {
-  data["page"] = {{"kind", kind}, {"parts", page_json(found)}};
-  return page_of(head, found, data, footer);
 }
 
 }  // namespace rotorub

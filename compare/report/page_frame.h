@@ -10,25 +10,14 @@
 
 namespace rotorub {
 
-struct PageHead {
-  std::string names;    // of the scenes
-  std::string topic;    // a few words, in the title and above the heading
-  std::string heading;  // the question that the page answers
-};
-
-// A page, which its script lays out. found: the result, which a browser without scripts shows as
-// text. data: what the script lays out and draws. With "scenes" (plots.h) it is laid out by
-// page/report.js, otherwise by page/still.js. The plots are drawn from "rotor" and "loops"
-// (rotor_data.h), "benches" ("scenes" of bench.json), "maps" (sweep_page.h), "rub_map",
-// "feedback_map" and "branches" (JSON of `rotorub modes`) and "search" (command_pages.cc). Numbers
-// are written with seven digits.
-std::string page_of(const PageHead& head, const result::Section& found, const nlohmann::json& data,
-                    const std::string& footer);
-
-// The page of one command, laid out by page/still_parts.js from the parts of `found` and the data,
-// as its kind asks: "bench", "branches", "feedback_map", "modes", "optimise", "rub_map", "sweep".
-std::string laid_out_page(const PageHead& head, const result::Section& found,
-                          const std::string& kind, nlohmann::json data, const std::string& footer);
+// A page of a kind of page/head.js. names: of its scenes. found: the result, which a browser
+// without scripts shows as text. data: what the script lays out and draws; numbers are written with
+// seven digits. With "scenes" (plots.h) it is the page of a report or a run, laid out by
+// page/report.js. Otherwise page/still.js lays it out from the parts and the JSON of `found`, from
+// "texts" of its scenes, and for some kinds from "rotor" and "loops" (modes/page_data.h), "search"
+// (optimise/output.h), "rub_map", or "maps" (sweep/page_data.h).
+std::string page_of(const std::string& kind, const std::string& names, const result::Section& found,
+                    nlohmann::json data);
 
 // The frame with each {{name}} replaced by its value. Throws std::out_of_range for a name without a
 // value.

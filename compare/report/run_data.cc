@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "compare/base/plot_points.h"
 #include "compare/report/pack/packed_run.h"
-#include "compare/report/plot_points.h"
 #include "compare/report/whirl_plots.h"
 #include "native_model/trajectory/recorder.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "compare/base/module_file.h"
-#include "compare/report/plot_points.h"
+#include "compare/base/plot_points.h"
 #include "native_model/control/library_file.h"
 #include "native_model/scene/adjustable.h"
 #include "native_model/scene/reader.h"

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <string>
 
+#include "compare/base/plot_points.h"
 #include "compare/base/units.h"
 #include "compare/metrics/cascade.h"
 #include "compare/metrics/orbit.h"
 #include "compare/metrics/orders.h"
-#include "compare/report/plot_points.h"
 
 namespace rotorub {
 namespace {

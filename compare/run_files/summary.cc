@@ -6,7 +6,6 @@
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "compare/base/columns.h"
 #include "compare/base/format.h"
 #include "compare/base/json.h"
+#include "compare/base/units.h"
 #include "compare/base/version.h"
 #include "compare/figures/figure.h"
 #include "compare/metrics/above_modes.h"
@@ -135,16 +135,16 @@ std::vector<result::Part> opening(const scene::Scene& scene, const Trajectory& t
   // In both units, because 3600 without a unit is read as rad/s, whatever the user meant.
   const double speed = scene.rotor.speed;
   const Tone tone = t.status == Status::kOk ? Tone::kGood : Tone::kBad;
-  return {result::Table{.columns = std::vector<result::Column>(2),
-                        .rows = {{.items = {{scene::printable(scene.name) + ": "},
-                                            {to_string(t.status), "", tone}}}},
-                        .lead = ""},
-          result::line(fmt::format("  {} {}, contact {}, {}, {} of {} simulated", t.engine,
-                                   t.integrator, t.contact_model, step, time_text(t.end),
-                                   time_text(scene.run.end))),
-          result::line(fmt::format("  rotor at {} rad/s, {} rpm{}", short_number(speed),
-                                   short_number(speed * 30.0 / std::numbers::pi),
-                                   scene.drive ? " at its start" : ""))};
+  return {
+      result::Table{.columns = std::vector<result::Column>(2),
+                    .rows = {{.items = {{scene::printable(scene.name) + ": "},
+                                        {to_string(t.status), "", tone}}}},
+                    .lead = ""},
+      result::line(fmt::format("  {} {}, contact {}, {}, {} of {} simulated", t.engine,
+                               t.integrator, t.contact_model, step, time_text(t.end),
+                               time_text(scene.run.end))),
+      result::line(fmt::format("  rotor at {} rad/s, {} rpm{}", short_number(speed),
+                               short_number(speed * kRpm), scene.drive ? " at its start" : ""))};
 }
 
 result::Table figures_table(const Metrics& m, const Trajectory& t) {
@@ -152,7 +152,7 @@ result::Table figures_table(const Metrics& m, const Trajectory& t) {
   const auto add = [&](const std::string& label, const std::string& value) {
     table.rows.push_back({.items = {{label}, {value}}});
   };
-  if (m.first_touch) add("first touch, ms", short_number(1e3 * *m.first_touch));
+  if (m.first_touch) add("first touch, ms", short_number(kMilli * *m.first_touch));
   // Without a contact, the figures of contact are 0, and their rows are left out.
   for (const Figure& f : figures()) {
     const double value = f.value(m);
@@ -205,7 +205,7 @@ std::vector<result::Part> contacts_table(const scene::Scene& scene, const Trajec
     });
   };
   number("first touch, ms", [](const json& c) {
-    return c["first_touch"].is_null() ? json() : json(1e3 * c["first_touch"].get<double>());
+    return c["first_touch"].is_null() ? json() : json(kMilli * c["first_touch"].get<double>());
   });
   number("mean force, N", [&](const json& c) {
     if (c["first_touch"].is_null()) return json();
@@ -233,7 +233,6 @@ std::vector<result::Part> mode_notes(const std::optional<ContactMass>& mass,
         short_number(mass->kept), mass->kept_modes, short_number(mass->mesh), mass->mesh_modes));
   }
   if (above && above->matters()) {
-    constexpr double kHz = 1.0 / (2.0 * std::numbers::pi);
     add(fmt::format(
         "in {} of the time in contact, with {} of the friction work, the whirl is faster than the "
         "highest mode kept ({} Hz), up to {} Hz. The modes kept cannot bend as fast as that; keep "
@@ -267,13 +266,14 @@ json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
 
 std::string rub_answer(const Metrics& m, std::optional<double> cut) {
   if (!m.first_touch && cut)
-    return fmt::format("no contact up to {} ms, where the run stopped", short_number(1e3 * *cut));
+    return fmt::format("no contact up to {} ms, where the run stopped",
+                       short_number(kMilli * *cut));
   if (!m.first_touch) {
     if (!m.least_gap) return "no, rotor and ring do not touch";
     return fmt::format("no, the rotor stays {} µm clear of the ring",
-                       short_number(1e6 * *m.least_gap));
+                       short_number(kMicro * *m.least_gap));
   }
-  std::string text = fmt::format("yes, from {} ms", short_number(1e3 * *m.first_touch));
+  std::string text = fmt::format("yes, from {} ms", short_number(kMilli * *m.first_touch));
   if (m.hard_impacts > 0)
     text += fmt::format(": {} hard impact{}", m.hard_impacts, m.hard_impacts > 1 ? "s" : "");
   const Attractor last = m.settled.attractor;

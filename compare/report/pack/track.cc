@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/report/plot_points.h"
+#include "compare/base/plot_points.h"
 #include "native_model/numerics/hermite.h"
 
 namespace rotorub {

@@ -1,5 +1,6 @@
-// A bifurcation diagram as a plotly figure (compare/report/sweep_page.h): positions once per turn over the swept key, swept up
+// A bifurcation diagram as a plotly figure (compare/sweep/page_data.h): positions once per turn over the swept key, swept up
 // and down, and below them the largest Lyapunov exponent.
+import {micro} from './factors.js';
 import {shownUnit} from './linear_maps.js';
 import {axes, css, decades, layout, legendAbove as legend, short} from './style.js';
 
@@ -30,7 +31,7 @@ export function bifurcationFigure({key, up, down}) {
 
 // Branches of periodic rubs (`rub_branches` of compare/modes/rub_branches_text.h): stable parts solid, unstable ones dashed.
 const marks = {fold: 'triangle-left', branching: 'cross', 'period doubling': 'diamond', torus: 'circle-open', grazing: 'x'};
-const scales = {mean_force: 1, amplitude: 1e6, multiplier: 1};
+const scales = {mean_force: 1, amplitude: micro, multiplier: 1};
 const titles = {mean_force: 'mean normal force / N', amplitude: 'deflection / µm', multiplier: 'largest multiplier'};
 
 // Splits a branch into parts that are stable or unstable throughout; a part begins where the previous one ended.

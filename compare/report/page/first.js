@@ -1,4 +1,5 @@
 // The picture below a comparison's answer: native and MuJoCo alone, around the time at which they diverge.
+import {milli} from './factors.js';
 import {timeTraces} from './traces.js';
 import {axes, css, layout, line, short, symbol} from './style.js';
 
@@ -72,7 +73,7 @@ export function showFirst(plot, scene, runs, show) {
   }
   const name = figure.words.other === 'cone' ? 'MuJoCo alone' : figure.words.other;
   const sample = (label, text) => `<span class="key-of"><i class="swatch side-${label}"></i>${text}</span>`;
-  place.querySelector('figcaption').innerHTML = `<b>Where they part</b>, shown from ${short(1e3 * figure.words.from)} ms on: ` +
+  place.querySelector('figcaption').innerHTML = `<b>Where they part</b>, shown from ${short(milli * figure.words.from)} ms on: ` +
     `${sample(native(runs), 'native')} ${sample(figure.words.other, name)} — gap (0: contact), and impulse of each impact`;
   show(plot, figure);
 }

@@ -1,8 +1,9 @@
-// The maps of linear analyses as maps.js takes them, from the SI values of compare/report/linear_maps.h and of
-// `rotorub modes --feedback-map --json`.
+// The maps of linear analyses as maps.js takes them, from the SI values of compare/modes/rub_map_text.h.
+
+import {hz} from './factors.js';
 
 // People read speeds in Hz.
-export const shownUnit = (unit) => (unit === 'rad/s' ? {name: 'Hz', perSi: 0.5 / Math.PI} : {name: unit, perSi: 1});
+export const shownUnit = (unit) => (unit === 'rad/s' ? {name: 'Hz', perSi: hz} : {name: unit, perSi: 1});
 
 // A figure of a map: a word, or a value in `si`; signed: its colours part at 0.
 const figure = (key, name, si, meaning, more = {}) => ({key, name, si, meaning, word: false, linear: true, signed: false, ...more});

@@ -1,9 +1,10 @@
 // The page of `rotorub modes`: the answers from its JSON, plots, tables.
 import {scenesText, sheetsOf} from './answer.js';
 import {rpmText} from './campbell.js';
+import {hz, micro, rpm} from './factors.js';
 import {short} from './style.js';
 
-const rpm = 30 / Math.PI, microns = (length, digits = 4) => `${short(1e6 * length, digits)} µm`;
+const microns = (length, digits = 4) => `${short(micro * length, digits)} µm`;
 
 function speedCard({campbell: {running, critical}}, isUnstable) {
   const nearest = [...critical].sort((a, b) => Math.abs(a - running) - Math.abs(b - running))[0], share = nearest / running - 1;
@@ -41,7 +42,7 @@ function loopCard({poles, poles_refused: refused, loops}, at) {
   if (refused) return {title: 'Closed loop', headline: 'stability unknown', text: `The poles are unknown, because ${refused}.`};
   const [{real, imaginary}] = poles;
   if (real >= 0) {
-    const motion = imaginary === 0 ? 'A motion without oscillation' : `A motion at ${short(Math.abs(imaginary) / (2 * Math.PI))} Hz`;
+    const motion = imaginary === 0 ? 'A motion without oscillation' : `A motion at ${short(hz * Math.abs(imaginary))} Hz`;
     const isRoundOff = real < 1e-10 * Math.max(...poles.map((pole) => Math.hypot(pole.real, pole.imaginary)));
     return {title: 'Closed loop', tone: 'bad', headline: `unstable at ${at}`,
       text: `${motion} ${isRoundOff ? 'does not decay' : `grows at ${short(real)} 1/s`}.`};
@@ -49,7 +50,7 @@ function loopCard({poles, poles_refused: refused, loops}, at) {
   const worst = loops.reduce((top, loop) => (loop.sensitivity > top.sensitivity ? loop : top));
   const size = `${short(worst.sensitivity)} (${short(20 * Math.log10(worst.sensitivity), 2)} dB)`;
   return {title: 'Magnetic bearings', tone: worst.zone === 'A' ? 'good' : '', headline: `stable, zone ${worst.zone}`,
-    text: `largest sensitivity ${size} at ${short(worst.frequency / (2 * Math.PI))} Hz, ISO 14839-3`};
+    text: `largest sensitivity ${size} at ${short(hz * worst.frequency)} Hz, ISO 14839-3`};
 }
 
 // The smallest gap of the free rotor at a contact.

@@ -6,7 +6,7 @@ import {axes, css, growBy, layout, legendBelow, number} from './style.js';
 
 const withUnit = (value, unit) => (value === null ? '' : `${number(value, 5)}${unit ? ` ${unit}` : ''}`);
 
-// The evaluated scenes as columns, in units as people read them, from command_pages.cc.
+// The evaluated scenes as columns, in units as people read them, from compare/optimise/output.cc.
 export function searchOf({keys, evaluations, constraints, ...goal}) {
   const units = keys.map(({unit}) => shownUnit(unit)), of = (value) => evaluations.map(value);
   return {...goal, column: of(({figure}) => figure), feasible: of(({feasible}) => feasible), status: of(({status}) => status),

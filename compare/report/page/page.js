@@ -1,5 +1,6 @@
 // The scripts of all pages share this: the page's data, the drawing of a plot, the light or dark theme, and the units.
 import {foldParts} from './fold.js';
+import {writeHead} from './head.js';
 import {unpacked} from './packed.js';
 import {offerFiles} from './save.js';
 import {forgetColours} from './style.js';
@@ -11,6 +12,7 @@ export const isPrinting = () => root.classList.contains('printing');
 
 // Draws the page, and again whenever the theme changes.
 export function start(draw) {
+  writeHead(data);
   foldParts();
   const prefersDark = matchMedia('(prefers-color-scheme: dark)'), button = document.getElementById('theme');
   let chosen = null;
@@ -41,7 +43,7 @@ const kOwnUnits = ['sweep', 'optimise', 'rub_map', 'feedback_map'];
 
 // The list of units in the page's head; the page's address keeps the choice.
 function chooseUnits(draw) {
-  if (kOwnUnits.includes(data.page?.kind)) {
+  if (kOwnUnits.includes(data.page.kind)) {
     document.querySelector('.unit-system').remove();
     return;
   }

@@ -1,5 +1,6 @@
 // The plots of one scene, from its runs' tracks: sampled anew for every window, linked in time and legend, under the
 // cursor of the scene's clock. Each is drawn when it comes near the screen.
+import {micro} from './factors.js';
 import {inTurn, isPrinting, show, whenNear} from './page.js';
 import {css, nameOf} from './style.js';
 import {sceneFigure} from './traces.js';
@@ -172,7 +173,7 @@ export class ScenePlots {
     return this.viewOf(plot).runs.filter((run) => run.has('rotor') && !this.hidden.has(run.label) && run.within(t) && (orbit || run.ringKnown))
       .map((run) => {
         const {rotor, ring} = run.pose(t), from = orbit ? [0, 0] : ring;
-        return {label: run.label, x: 1e6 * (rotor[0] - from[0]), y: 1e6 * (rotor[1] - from[1])};
+        return {label: run.label, x: micro * (rotor[0] - from[0]), y: micro * (rotor[1] - from[1])};
       });
   }
 

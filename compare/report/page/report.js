@@ -25,7 +25,7 @@ function contentsOf(main) {
 for (const scene of data.scenes) Object.assign(scene, {rotor: rotorOf(scene.rotor), windows: windowsOf(scene)});
 data.maps = data.sweeps?.map(({plots}) => withRubs(plots));
 const main = document.querySelector('main');
-layOut(main, data.ending ? runParts(data) : reportParts(data));
+layOut(main, data.page.kind === 'run' ? runParts(data) : reportParts(data));
 main.before(contentsOf(main));
 const scenes = [...document.querySelectorAll('[data-scene]')].map(
   (element) => new LiveScene(element, data.scenes[Number(element.dataset.scene)]));

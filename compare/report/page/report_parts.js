@@ -1,4 +1,5 @@
 // The parts of a report for layout.js, from what page.cc writes.
+import {milli} from './factors.js';
 import {glossary} from './glossary.js';
 import {html, withCode} from './html.js';
 import {liveOf} from './live_frame.js';
@@ -97,7 +98,7 @@ const impactWords = 'With MuJoCo\'s soft contact an impact is an episode of cont
 function impactsOf(impacts, labels) {
   const count = Math.max(0, ...Object.values(impacts).map((pairs) => pairs.length));
   const native = impacts[labels[1]];
-  const cellOf = (one) => (one ? {text: (1e3 * one.t).toFixed(4), beside: short(1e3 * one.normal_impulse, 4)} : '–');
+  const cellOf = (one) => (one ? {text: (milli * one.t).toFixed(4), beside: short(milli * one.normal_impulse, 4)} : '–');
   const at = (label, k) => (label === 'native' ? native?.[k]?.native : impacts[label]?.[k]?.other);
   return {caption: 'Time / ms, and below it impulse / mN s', class: 'impacts', columns: [{text: '#'}, ...labels.map((label) => ({text: label, number: true}))],
     rows: Array.from({length: count}, (_, k) => ({cells: [String(k + 1), ...labels.map((label) => cellOf(at(label, k)))]}))};

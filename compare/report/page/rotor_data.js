@@ -1,7 +1,8 @@
-// The free rotor as its plots take it, in rpm, Hz, %, mm and µm, from the SI values of compare/report/rotor_data.h.
+// The free rotor as its plots take it, in rpm, Hz, %, mm and µm, from the SI values of compare/modes/page_data.h.
+import {hz, micro, milli, rpm} from './factors.js';
 import {short} from './style.js';
 
-const rpm = 30 / Math.PI, hz = 0.5 / Math.PI, milli = 1e3, micro = 1e6, percent = 100;
+const percent = 100;
 const times = (factor, list) => list.map((value) => (value === null ? null : factor * value));
 
 // Forward is the direction of the spin, and at rest the direction from x to y.

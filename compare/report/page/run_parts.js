@@ -1,5 +1,6 @@
 // The parts of the page of one run for layout.js, from what page.cc writes: the answer in a sentence and cards, the player
 // and the plots, and folded below them the free rotor, all figures and the conditions.
+import {hz} from './factors.js';
 import {glossary} from './glossary.js';
 import {html} from './html.js';
 import {liveOf} from './live_frame.js';
@@ -32,7 +33,7 @@ export function runCards({summary, contacts, rotor}) {
   return [...ofContact,
     ...(control > 0 ? [card('Control force', units.force(control), 'root mean square over the whole run')] : []),
     card('Settles to', settled?.attractor ?? 'unknown', settled?.whirl_frequency ?
-      `whirl at ${short(settled.whirl_frequency / (2 * Math.PI))} Hz in the last fifth of the run` : 'in the last fifth of the run'),
+      `whirl at ${short(hz * settled.whirl_frequency)} Hz in the last fifth of the run` : 'in the last fifth of the run'),
     ...(critical ? [card('Margin to a critical speed', percent(critical.share),
       `the nearest is ${number(critical.speed, 4)} rpm, ${critical.above ? 'above' : 'below'} the scene's speed`)] : [])];
 }

@@ -1,12 +1,12 @@
 // Plotly figures of a run-up over its speed: the cascade of full spectra, amplitude and phase of 1x and 2x, and the polar plot
 // of 1x. Each has at(t), the position of the runs at a time in its axes: [{label, x, y}].
+import {micro, rpm} from './factors.js';
 import {placeOf} from './response.js';
 import {amplitudesAndPhases} from './rotor_data.js';
 import {axes, css, layout, line, number, titled} from './style.js';
 
-const kTurn = 2 * Math.PI;
-const rpmsOf = ({speed}) => speed.map((omega) => Math.abs(omega) * 60 / kTurn);
-const rpmOf = (run, t) => Math.abs(run.value('spin_speed', t)) * 60 / kTurn;
+const rpmsOf = ({speed}) => speed.map((omega) => rpm * Math.abs(omega));
+const rpmOf = (run, t) => rpm * Math.abs(run.value('spin_speed', t));
 
 // Interpolates a list over ascending times linearly.
 export function between(times, values, t) {
@@ -21,7 +21,7 @@ export function between(times, values, t) {
 export function amplitudes({levels, columns, low, high}, row) {
   return Array.from({length: columns}, (_, k) => {
     const level = levels.charCodeAt(row * columns + k);
-    return level === 0 ? 0 : 1e6 * 10 ** (low + (level / 255) * (high - low));
+    return level === 0 ? 0 : micro * 10 ** (low + (level / 255) * (high - low));
   });
 }
 

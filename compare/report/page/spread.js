@@ -1,4 +1,5 @@
 // Plotly figures of the distributions of contact forces and impulses, and of the difference between a record and each run.
+import {micro, milli} from './factors.js';
 import {countUntil, opened, thinned} from './scales.js';
 import {axes, css, decades, layout, line, notesAbove, number, titled} from './style.js';
 
@@ -76,7 +77,7 @@ function force(runs) {
 }
 
 function impulse(runs) {
-  return {data: runs.map((run) => ({label: run.label, ...exceedance(impulsesOf(run).map((value) => 1e3 * value))})).filter(({count}) => count.length)
+  return {data: runs.map((run) => ({label: run.label, ...exceedance(impulsesOf(run).map((value) => milli * value))})).filter(({count}) => count.length)
     .map(({label, value, count}) => trace(label, value, count, {line: {...line(label), shape: 'vh'}, hovertemplate: `%{y} impacts reach %{x:.4g} mN s<extra>${label}</extra>`})),
   layout: layout({hovermode: 'closest', xaxis: titled('normal impulse / mN s', {type: 'log', exponentformat: 'power'}),
     yaxis: titled('impacts that reach it', {type: 'log', exponentformat: 'none'})})};
@@ -89,7 +90,7 @@ export const spreadFigure = (key, runs) => figures[key]([...runs].reverse());
 // Record minus run along x, um, at the record's samples within both.
 export function measuredMinus(record, run, [from, to]) {
   const t = record.tracks.rotor.instants(Math.max(from, run.start), Math.min(to, run.end), 2).filter((time) => record.within(time));
-  return {t, y: t.map((time) => 1e6 * (record.tracks.rotor.at(time, 0) - run.tracks.rotor.at(time, 0)))};
+  return {t, y: t.map((time) => micro * (record.tracks.rotor.at(time, 0) - run.tracks.rotor.at(time, 0)))};
 }
 
 export function minusFigure(runs, range) {

@@ -8,14 +8,17 @@ import {loopsOf, rotorOf} from './rotor_data.js';
 import {stillParts} from './still_parts.js';
 import {stills} from './stills.js';
 
+const {found} = data.page;
+if (found.scenes) Object.assign(data, {benches: found.scenes, machine: found.machine});
+data.branches = found.rub_branches;
 if (data.search) {
   data.search = searchOf(data.search);
   data.maps = [searchMap(data.search)];
 }
 if (data.rub_map) data.maps = [rubMap(data.rub_map)];
-if (data.feedback_map) data.maps = [feedbackMap(data.feedback_map)];
+if (found.feedback_map) data.maps = [feedbackMap(found.feedback_map)];
 data.maps = data.maps?.map(withRubs);
-if (data.rotor) Object.assign(data, {rotor: rotorOf(data.rotor), loops: loopsOf(data.rotor.found, data.loops)});
+if (data.rotor) Object.assign(data, {rotor: rotorOf({...data.rotor, found}), loops: loopsOf(found, data.loops)});
 layOut(document.querySelector('main'), withPlots(stillParts(data), data));
 window.page = {data};
 const draw = stills();

@@ -1,4 +1,5 @@
 // Builds the plotly figure (traces and layout) of each plot of a scene.
+import {micro, milli, rpm} from './factors.js';
 import {orbitMarks} from './orbits.js';
 import {Track} from './player/tracks.js';
 import {rotorFigure} from './rotor.js';
@@ -9,7 +10,6 @@ import {axes, css, decades, isFront, layout, line, notesAbove, number, symbol, t
 import {ranges, whirlFigure} from './whirl.js';
 
 const kBuckets = 700;   // parts of a trace, each with two points
-const kTurn = 2 * Math.PI;
 
 // Traces with more points are solid, because dashes are unreadable in a trace that scatters over the whole picture.
 const kDashed = 900;
@@ -20,15 +20,15 @@ const behindFirst = (runs) => [...runs.slice(2), ...runs.slice(0, 2)];
 const component = (name, factor = 1, c = 0) => ({track: name, read: (run, t) => factor * run.tracks[name].at(t, c)});
 const size = (name, factor = 1) => ({track: name, read: (run, t) => factor * run.tracks[name].length(t)});
 const series = {
-  gap: component('gap', 1e6),
-  gap_rate: {...component('gap_rate', 1e3), jumps: true},
-  rotor_x: component('rotor', 1e6),
+  gap: component('gap', micro),
+  gap_rate: {...component('gap_rate', milli), jumps: true},
+  rotor_x: component('rotor', micro),
   normal_force: component('normal'),
   sample_force: component('force'),
   friction_force: component('friction'),
-  spin: component('spin_speed', 60 / kTurn),
-  ring_speed: component('ring_speed', 60 / kTurn),
-  torsion: component('torsion', 1e3),
+  spin: component('spin_speed', rpm),
+  ring_speed: component('ring_speed', rpm),
+  torsion: component('torsion', milli),
   control: size('control'),
   current: size('current'),
 };
@@ -94,11 +94,11 @@ function curve(run, track, range, read, label, width, dash) {
   return {x: points.map((p) => p[0]), y: points.map((p) => p[1]), name: run.label, meta: run.label, type: 'scatter', mode: 'lines',
     line: {...line(run.label, false), width, ...(dash ? {dash} : {})}, hovertemplate: `(%{x:.4g}, %{y:.4g})<extra>${run.label}${label}</extra>`};
 }
-const micro = ([x, y]) => [1e6 * x, 1e6 * y];
+const inMicrons = ([x, y]) => [micro * x, micro * y];
 const orbitTraces = (runs, range) => behindFirst(runs).filter((run) => run.has('rotor')).flatMap((run) => [
-  curve(run, 'rotor', range, (t) => micro(run.pose(t).rotor), ' rotor', isFront(run.label) ? 2.4 : 1.4, 'solid'),
-  ...(run.has('ring') ? [curve(run, 'ring', range, (t) => micro(run.pair('ring', t)), ' ring', isFront(run.label) ? 1.8 : 1, 'dot')] : [])]);
-const relativePlace = (run, t) => { const p = run.pose(t); return micro([p.rotor[0] - p.ring[0], p.rotor[1] - p.ring[1]]); };
+  curve(run, 'rotor', range, (t) => inMicrons(run.pose(t).rotor), ' rotor', isFront(run.label) ? 2.4 : 1.4, 'solid'),
+  ...(run.has('ring') ? [curve(run, 'ring', range, (t) => inMicrons(run.pair('ring', t)), ' ring', isFront(run.label) ? 1.8 : 1, 'dot')] : [])]);
+const relativePlace = (run, t) => { const p = run.pose(t); return inMicrons([p.rotor[0] - p.ring[0], p.rotor[1] - p.ring[1]]); };
 const relativeTraces = (runs, range) => behindFirst(runs).filter((run) => run.has('rotor') && run.has('gap') && run.ringKnown).map((run) =>
   curve(run, 'gap', range, (t) => relativePlace(run, t), ' relative', isFront(run.label) ? 2.4 : 1.4));
 
@@ -108,7 +108,7 @@ function pathTraces({scene, contact, runs}, key, range) {
   const dashed = characteristics.map((c) => ({x: c.x, y: c.y, name: c.name, meta: c.name, type: 'scatter', mode: 'lines',
     line: {color: css('--soft'), width: 1, dash: 'dash'}, hovertemplate: `%{y:.4g}<extra>${c.name}</extra>`}));
   const [track, read] = key === 'motor' ?
-    ['motor_torque', (run) => (t) => [run.value('spin_speed', t) * 60 / kTurn, run.value('motor_torque', t)]] :
+    ['motor_torque', (run) => (t) => [rpm * run.value('spin_speed', t), run.value('motor_torque', t)]] :
     ['current', (run) => (t) => { const [x, y] = run.pair('control', t); return [run.value('current', t), (x + y) * Math.SQRT1_2]; }];
   return [...dashed, ...behindFirst(runs).filter((run) => run.has(track) && (key === 'motor' || run.has('control'))).map((run) =>
     curve(run, track, range, read(run), '', isFront(run.label) ? 2.4 : 1.4))];
@@ -132,11 +132,11 @@ export function heightFor(traces) {
 
 function turnsPlot({contact, runs}, {key, range, hidden}) {
   // All runs have the same clearance, except one that was recomputed with another.
-  const radii = [...new Set([contact, ...runs].map(({clearance}) => 1e6 * clearance))].filter((r) => r > 0);
+  const radii = [...new Set([contact, ...runs].map(({clearance}) => micro * clearance))].filter((r) => r > 0);
   const circles = radii.map((r) => ({type: 'circle', x0: -r, x1: r, y0: -r, y1: r, line: {color: css('--soft'), width: 1, dash: 'dash'}}));
   const orbit = key === 'orbit', lines = orbit ? orbitTraces(runs, range) : relativeTraces(runs, range);
   const marked = behindFirst(runs).filter((run) => run.has('rotor') && run.has('spin') && (orbit || run.has('gap')));
-  const marks = orbitMarks(marked, range, hidden, orbit ? (run, t) => micro(run.pose(t).rotor) : relativePlace);
+  const marks = orbitMarks(marked, range, hidden, orbit ? (run, t) => inMicrons(run.pose(t).rotor) : relativePlace);
   // The picture is square, even if the rotor rests at one side.
   const points = [...lines.flatMap(({x, y}) => x.map((value, k) => [value, y[k]])), ...(orbit ? [] : radii.flatMap((r) => [[-r, -r], [r, r]]))];
   const [x, y] = ranges(points.filter(([value]) => value !== null)) ?? [];

@@ -1,4 +1,5 @@
 // The trade-off of control: the forces of contact and of actuators over the size of the orbit, for the native run of each scene.
+import {milli} from './factors.js';
 import {axes, css, layout} from './style.js';
 
 // The orbit in mm, at the end of the run, and forces in N. scenes: LiveScene.
@@ -6,7 +7,7 @@ export function tradeOf(scenes) {
   return scenes.map(({scene: {name, summary}, runs: [native]}) => {
     const {rotor} = native.tracks;
     const orbit = rotor.instants(summary.settled.from, native.end, 1000).reduce((most, t) => Math.max(most, rotor.length(t)), 0);
-    return {name, orbit: 1e3 * orbit, contact: summary.mean_force, actuator: summary.control_force ?? 0};
+    return {name, orbit: milli * orbit, contact: summary.mean_force, actuator: summary.control_force ?? 0};
   });
 }
 

@@ -1,17 +1,18 @@
 // Plotly figures of whirl: full spectrum (forward above 0, backward below), waterfall, Poincaré points, and each run's
 // distance from the first.
+import {micro} from './factors.js';
 import {axes, css, decades, layout, line, scaleOfColours, shade, short, symbol, titled} from './style.js';
 
 const low2high = ['#fcfdbf', '#feb078', '#f1605d', '#b73779', '#721f81', '#2c115f', '#000004'];
 const trace = (side, x, y, more) => ({x, y, name: side.label, meta: side.label, type: 'scatter', mode: 'lines',
   line: line(side.label), ...more});
-const micro = (list) => list.map((value) => 1e6 * value);
+const inMicrons = (list) => list.map((value) => micro * value);
 const have = (scene, what) => [...scene.sides].reverse().filter((side) => side.whirl[what]);
 
 function spectrum(scene) {
   const marks = [-1, 1].map((k) => ({type: 'line', x0: k * scene.spin, x1: k * scene.spin, y0: 0, y1: 1, yref: 'paper',
     line: {color: css('--soft'), width: 1, dash: 'dash'}, layer: 'below'}));
-  return {data: have(scene, 'spectrum').map((side) => trace(side, side.whirl.spectrum.x, micro(side.whirl.spectrum.y),
+  return {data: have(scene, 'spectrum').map((side) => trace(side, side.whirl.spectrum.x, inMicrons(side.whirl.spectrum.y),
     {hovertemplate: `%{x:.5g} Hz: %{y:.4g} µm<extra>${side.label}</extra>`})),
   layout: layout({hovermode: 'closest', margin: {l: 56, r: 12, t: 22, b: 40}, shapes: scene.spin ? marks : [],
     annotations: scene.spin ? [-1, 1].map((k) => ({x: k * scene.spin, y: 1, yref: 'paper', yanchor: 'bottom', showarrow: false,
@@ -40,7 +41,7 @@ function waterfall(scene, _range, hidden) {
   const ticks = [0, 1, 2, 3, 4].map((k) => w.low + (k / 4) * (w.high - w.low));
   return {data: [{x: [null], y: [null], type: 'scatter', mode: 'markers', showlegend: false, hoverinfo: 'skip',
     marker: {color: [0], colorscale: scaleOfColours(low2high), cmin: w.low, cmax: w.high, showscale: true,
-      colorbar: {title: {text: 'µm'}, thickness: 12, outlinewidth: 0, tickvals: ticks, ticktext: ticks.map((v) => short(1e6 * 10 ** v, 2))}}}],
+      colorbar: {title: {text: 'µm'}, thickness: 12, outlinewidth: 0, tickvals: ticks, ticktext: ticks.map((v) => short(micro * 10 ** v, 2))}}}],
   layout: layout({hovermode: false, margin: {l: 56, r: 16, t: 24, b: 44},
     images: [{source: picture(w), xref: 'x', yref: 'y', x: w.f[0], y: top, sizex: w.f[1] - w.f[0], sizey: top - bottom, sizing: 'stretch', layer: 'below'}],
     annotations: [{text: side.label, xref: 'paper', yref: 'paper', x: 0, y: 1, xanchor: 'left', yanchor: 'bottom', showarrow: false, font: {color: css(`--${side.label}`), size: 12}}],
@@ -58,9 +59,9 @@ export function ranges(points) {
 }
 
 function poincare(scene) {
-  const points = have(scene, 'poincare').flatMap(({whirl: {poincare: {x, y}}}) => x.map((v, k) => [1e6 * v, 1e6 * y[k]]));
+  const points = have(scene, 'poincare').flatMap(({whirl: {poincare: {x, y}}}) => x.map((v, k) => [micro * v, micro * y[k]]));
   const [x, y] = ranges(points) || [null, null];
-  return {data: have(scene, 'poincare').map((side) => ({...trace(side, micro(side.whirl.poincare.x), micro(side.whirl.poincare.y)), mode: 'markers',
+  return {data: have(scene, 'poincare').map((side) => ({...trace(side, inMicrons(side.whirl.poincare.x), inMicrons(side.whirl.poincare.y)), mode: 'markers',
     marker: {color: css(`--${side.label}`), size: side.label === 'native' ? 7 : 8, symbol: symbol(side.label), opacity: 0.8},
     hovertemplate: `(%{x:.5g}, %{y:.5g}) µm<extra>${side.label}</extra>`})),
   layout: layout({hovermode: 'closest', xaxis: titled('x / µm', {automargin: false, constrain: 'domain', ...(x ? {range: x} : {})}),
@@ -68,7 +69,7 @@ function poincare(scene) {
 }
 
 function residual(scene, range) {
-  return {data: have(scene, 'residual').map((side) => trace(side, side.whirl.residual.x, side.whirl.residual.y.map((y) => 1e6 * y || null),
+  return {data: have(scene, 'residual').map((side) => trace(side, side.whirl.residual.x, side.whirl.residual.y.map((y) => micro * y || null),
     {hovertemplate: `%{y:.4g} µm<extra>${side.label}</extra>`})),
   layout: layout({hovermode: 'x unified', xaxis: axes({title: {text: 't / s', standoff: 6}, range: range.slice(), hoverformat: '.6f'}),
     yaxis: axes(decades)})};

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "compare/bench/output.h"
-#include "compare/report/command_pages.h"
+#include "compare/report/page_frame.h"
 #include "tests/compare/bench/made_points.h"
 #include "tests/compare/hand_made.h"
 #include "tests/support/native_run.h"
@@ -154,7 +154,8 @@ TEST(BenchTable, KeepsItsColumns) {
 }
 
 TEST(BenchPage, IsSelfContainedAndEscaped) {
-  const std::string page = bench_page(kMachine, {made_bench()}, kRestitution);
+  const std::string page = page_of(
+      "bench", "made", result_of(kMachine, {made_bench()}, kRestitution), {{"texts", {"scene"}}});
   EXPECT_TRUE(page.starts_with("<!doctype html>"));
   EXPECT_TRUE(page.ends_with("</html>\n"));
   for (const char* part :

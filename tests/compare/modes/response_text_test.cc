@@ -6,29 +6,35 @@
 #include <cmath>
 #include <complex>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 
 #include "compare/modes/result.h"
 #include "compare/modes/rotor_analysis.h"
 #include "compare/optimise/goal.h"
 #include "native_model/scene/reader.h"
+#include "tests/support/said.h"
 
 namespace rotorub {
 namespace {
 
 using nlohmann::json;
+using test::contains;
 using Complex = std::complex<double>;
 
-// One mode under 30 N that turn at 200 rad/s; at the second contact it is three times as large.
-constexpr const char* kTwoContacts = R"(
+// One mode.
+const std::string kRotor = R"(
 [run]
-end = 0.01
+end = 0.1
 [rotor]
 speed = 250.0
 [rotor.modal]
 mass = [2.0]
 stiffness = [2e5]
 damping = [40.0]
+)";
+// Under 30 N that turn at 200 rad/s; at the second contact it is three times as large.
+const std::string kTwoContacts = kRotor + R"(
 [[force]]
 kind = "rotating"
 amplitude = 30.0
@@ -50,8 +56,8 @@ shape = [3.0]
 const double kNear = 30.0 / std::abs(Complex(2e5 - 2.0 * 200.0 * 200.0, 40.0 * 200.0));
 constexpr double kExact = 1e-9;  // relative
 
-RotorAnalysis analysis_of(const char* text) {
-  return analyse_rotor(scene::parse_scene(text, "scene.toml", {}), {});
+RotorAnalysis analysis_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  return analyse_rotor(scene::parse_scene(text, "scene.toml", overrides), {});
 }
 
 TEST(ResponseText, OfSeveralContactsGivesEach) {
@@ -82,7 +88,7 @@ TEST(ResponseText, OfSeveralContactsGivesEach) {
 TEST(ResponseText, OfOneContactIsAsItWas) {
   std::string one = kTwoContacts;
   one = one.substr(0, one.rfind("[[contact]]"));
-  const RotorAnalysis analysis = analysis_of(one.c_str());
+  const RotorAnalysis analysis = analysis_of(one);
   EXPECT_FALSE(result::json_of(modes_result("", analysis))["speeds"][0].contains("contacts"));
   const std::string table = result::text_of(modes_result("one", analysis));
   EXPECT_NE(table.find("free orbit at the contact: "), std::string::npos) << table;
@@ -114,7 +120,7 @@ derivative = 10.0
 current_limit = {}
 )",
                                          limit);
-    const RotorAnalysis analysis = analysis_of(text.c_str());
+    const RotorAnalysis analysis = analysis_of(text);
     const json all = result::json_of(modes_result("", analysis))["speeds"][0]["notes"];
     EXPECT_EQ(result::text_of(modes_result("hung", analysis)).find("note: ") != std::string::npos,
               !all.empty());
@@ -156,14 +162,64 @@ clearance = 0.5e-3
 friction = 0.1
 restitution = 0.3
 )";
-    return result::json_of(
-        modes_result("", analysis_of(scene.c_str())))["speeds"][0]["response"]["orbit"];
+    return result::json_of(modes_result("", analysis_of(scene)))["speeds"][0]["response"]["orbit"];
   };
   const json always = orbit("");
   EXPECT_NEAR(always.get<double>(), 2.0 * 9.81 / 2e5, kExact * always.get<double>());
   EXPECT_EQ(orbit("on = 0.001"), always);
   EXPECT_EQ(orbit("fails_at = 0.002\nreturns_at = 0.004"), always);
   EXPECT_EQ(orbit("on = 0.01\nfails_at = 0.01"), nullptr) << "it never works";
+}
+
+// 0.1 kg mm of unbalance, and 0.4 kg mm more from 20 ms on.
+const std::string kLostBlade = kRotor + R"(
+[[force]]
+kind = "unbalance"
+static_moment = 1e-4
+[[force]]
+kind = "unbalance"
+static_moment = 4e-4
+on = 0.02
+[contact]
+radius = 0.02
+clearance = 0.3e-3
+friction = 0.1
+restitution = 0.3
+)";
+// m, of an unbalance in kg m.
+double deflection(double unbalance) {
+  constexpr double kSpeed = 250.0;
+  const Complex stiffness(2e5 - 2.0 * kSpeed * kSpeed, 40.0 * kSpeed);
+  return unbalance * kSpeed * kSpeed / std::abs(stiffness);
+}
+
+TEST(LossText, HasTheResponseBeforeAndAfter) {
+  const RotorAnalysis analysis = analysis_of(kLostBlade);
+  const json response = result::json_of(modes_result("", analysis))["speeds"][0]["response"];
+  EXPECT_NEAR(response["orbit"].get<double>(), deflection(5e-4), 1e-9 * deflection(5e-4));
+  const json before = response["before_loss"];
+  EXPECT_NEAR(before["orbit"].get<double>(), deflection(1e-4), 1e-9 * deflection(1e-4));
+  EXPECT_NEAR(before["least_gap"].get<double>(), 0.3e-3 - deflection(1e-4), 1e-12);
+
+  // Without the line breaks.
+  std::istringstream words(result::text_of(modes_result("blade", analysis)));
+  std::string table;
+  for (std::string word; words >> word;) table += word + " ";
+  EXPECT_TRUE(contains(
+      table, {"free orbit at the contact before the loss: radius 82.6 µm, least gap 217.4 µm",
+              "free orbit at the contact after the loss: radius 413 µm, 113 µm "
+              "more than the clearance",
+              "API 617 allows 25.4 µm (at the probes near the bearings)"}));
+  // The limit of API 617 holds for the whole machine.
+  EXPECT_EQ(table.find("vibration at the contact"), table.rfind("vibration at the contact"));
+}
+
+TEST(LossText, IsOneResponseWhereNothingIsLost) {
+  const RotorAnalysis analysis = analysis_of(kLostBlade, {"force[1].on=0.0"});
+  EXPECT_EQ(result::json_of(modes_result("", analysis))["speeds"][0]["response"]["before_loss"],
+            nullptr);
+  EXPECT_TRUE(contains(result::text_of(modes_result("whole", analysis)),
+                       "free orbit at the contact: radius 413 µm"));
 }
 
 }  // namespace

@@ -5,11 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "compare/modes/result.h"
 #include "compare/modes/rub_analysis.h"
 #include "compare/modes/rub_map_text.h"
-#include "compare/report/command_pages.h"
-#include "compare/report/linear_maps.h"
+#include "compare/modes/rub_result.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/native_run.h"
 
@@ -187,8 +185,6 @@ TEST_F(RubMapOfTheWhip, AsAPage) {
   for (const json& column : columns) EXPECT_EQ(column.size(), 9U);
   EXPECT_EQ(columns.at("attractors")[4], "no contact + backward whip + rolling");
   EXPECT_TRUE(columns.at("rub_growth")[4].is_null()) << "no load, no synchronous rub";
-  const std::string page = rub_map_page(scene, map);
-  EXPECT_TRUE(page.starts_with("<!doctype html>"));
   const json parts = page_json(rub_map_picture("whip", map));
   ASSERT_EQ(parts.size(), 1U) << "the legend without the letters of the picture";
   EXPECT_EQ(parts[0].at("rows").back().at("cells"),
@@ -235,19 +231,19 @@ TEST(FeedbackMap, TheRuleIsTheFastestDecayAndItsStableStretch) {
 
 TEST(FeedbackMap, ItsPageHasNoNumberWhereNoRubLasts) {
   const rub::FeedbackMap map = made_by_hand();
-  const json data = feedback_map_json(map);
+  const result::Section found = feedback_map_result("x", map);
+  const json data = json_of(found).at("feedback_map");
   EXPECT_EQ(data.at("growth")[0][3], -4.0);
   for (const char* key : {"growth", "frequency", "normal_force"})
     EXPECT_TRUE(data.at(key)[1][1].is_null()) << key;
   EXPECT_EQ(data.at("whip")[1], json({false, true, false, false, false}));
-  const json rule = page_json(feedback_map_table("x", map)).at(0);
+  const json rule = page_json(found).at(0);
   ASSERT_EQ(rule.at("rows").size(), 2U);
   EXPECT_EQ(rule.at("columns")[1].at("text"), "k / N s/m");
   EXPECT_EQ(rule.at("rows")[0].at("cells"), json({"15.92", "300", "200", "300", "4", "50", ""}));
-  const std::string page = feedback_map_page(shipped("paper_cross_coupled"), map);
-  EXPECT_TRUE(page.starts_with("<!doctype html>"));
-  EXPECT_NE(page.find("no forced rub is stable"), std::string::npos);
-  EXPECT_NE(page.find("feedback = [300"), std::string::npos);
+  const std::string text = text_of(found);
+  EXPECT_NE(text.find("no forced rub is stable"), std::string::npos);
+  EXPECT_NE(text.find("feedback = [300"), std::string::npos);
 }
 
 TEST(FeedbackMap, ItsKeysAreAScenes) {

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "compare/modes/result.h"
 #include "compare/modes/rotor_analysis.h"
 #include "compare/modes/rub_analysis.h"
+#include "compare/modes/rub_result.h"
 #include "tests/native_model/hard/rules.h"
 
 namespace rotorub {

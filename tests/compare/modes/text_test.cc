@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "compare/modes/answers.h"
 #include "compare/modes/speed_margin.h"
-#include "compare/modes/summary_text.h"
 #include "compare/starter/starter.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/oracles/shafts.h"

@@ -5,7 +5,6 @@
 
 #include "compare/optimise/optimiser.h"
 #include "compare/optimise/output.h"
-#include "compare/report/command_pages.h"
 #include "tests/compare/sweep/studies.h"
 #include "tests/support/said.h"
 
@@ -156,7 +155,6 @@ TEST_F(Optimise, SaysThatTheBestIsAtTheEndOfARange) {
   EXPECT_EQ(edge_text(t, optimum), says + ": a wider range may hold better values");
   EXPECT_EQ(json_of(result_of("x", t, optimum)).at("best").at("edge"), edge_text(t, optimum));
   EXPECT_NE(text_of(result_of("x", t, optimum)).find("(an end of its range)"), std::string::npos);
-  EXPECT_NE(optimum_page("x", t, optimum, "").find(says), std::string::npos);
   const Task middle = task(std::string(kDamping) +
                            "[optimise]\nminimise = \"modes.speeds.0.rub.free_growth_rate\"\n");
   EXPECT_EQ(edge_text(middle, found(middle)), "");
@@ -170,7 +168,6 @@ TEST_F(Optimise, SaysWhereNothingKeepsTheConstraints) {
   EXPECT_FALSE(optimum.best);
   EXPECT_TRUE(json_of(result_of("x", t, optimum)).at("best").is_null());
   EXPECT_NE(text_of(result_of("x", t, optimum)).find("none of them"), std::string::npos);
-  EXPECT_NE(optimum_page("x", t, optimum, "").find("none of them meets"), std::string::npos);
 }
 
 TEST_F(Optimise, SaysWhatIsWrong) {

@@ -9,7 +9,6 @@
 
 #include "compare/engine/engine.h"
 #include "compare/report/plots.h"
-#include "compare/report/rig_values.h"
 #include "compare/study/scene_comparison.h"
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/columns.h"

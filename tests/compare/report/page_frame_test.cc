@@ -5,6 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "compare/base/plot_points.h"
+#include "compare/report/assets.h"
+
 namespace rotorub {
 namespace {
 
@@ -16,16 +19,23 @@ TEST(PageFrame, ReplacesEachNameOnce) {
 }
 
 TEST(PageFrame, EscapesWordsAndData) {
-  const result::Section found{.parts = {result::line("a < b & c")}};
-  const std::string page = laid_out_page({"<b>ring", "one \"run\"", "why?"}, found, "sweep",
-                                         {{"text", "</script><script>"}}, "1 < 2");
-  EXPECT_NE(page.find("<title>&lt;b&gt;ring: one &quot;run&quot; · rotorub</title>"),
-            std::string::npos);
+  const result::Section found{.parts = {result::line("a < b & c"), result::Data{"k", 1}}};
+  const std::string page = page_of("sweep", "<b>\"ring\"", found, {{"text", "</script><script>"}});
+  EXPECT_NE(page.find("<title>&lt;b&gt;&quot;ring&quot; · rotorub</title>"), std::string::npos);
   EXPECT_NE(page.find("<noscript><pre>a &lt; b &amp; c\n</pre></noscript>"), std::string::npos);
-  EXPECT_NE(page.find(R"({"page":{"kind":"sweep","parts":[{"text":"a \u003c b & c"}]},)"
-                      R"("text":"\u003c/script>\u003cscript>"})"),
-            std::string::npos);
+  EXPECT_NE(
+      page.find(R"({"page":{"found":{"k":1},"kind":"sweep","names":"\u003cb>\"ring\"","parts":)"
+                R"([{"text":"a \u003c b & c"}]},"text":"\u003c/script>\u003cscript>"})"),
+      std::string::npos);
   EXPECT_EQ(page.find("native-module"), std::string::npos) << "only with sliders";
+}
+
+TEST(PageFrame, NeedsNoNetworkAndNoOtherFile) {
+  std::string page = page_of("sweep", "ring", {}, nlohmann::json::object());
+  const std::string plotly = base64(packed_plotly_js());
+  page.erase(page.find(plotly), plotly.size());
+  for (const char* outside : {"http:", "https:", "@import", "src=", "<link", "{{"})
+    EXPECT_EQ(page.find(outside), std::string::npos) << outside;
 }
 
 }  // namespace

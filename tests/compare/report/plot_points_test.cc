@@ -1,4 +1,4 @@
-#include "compare/report/plot_points.h"
+#include "compare/base/plot_points.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "compare/report/sweep_page.h"
+#include "compare/sweep/page_data.h"
 #include "tests/compare/sweep/studies.h"
 
 namespace rotorub::sweep {

@@ -1,4 +1,4 @@
-// The free rotor for page/rotor_data.js, in SI units.
+// The free rotor for report/page/rotor_data.js, in SI units.
 #pragma once
 
 #include <functional>
@@ -27,20 +27,20 @@ Campbell campbell_of(const scene::Scene& scene, RotorAnalysis analysis,
                      std::optional<double> range = {},
                      const std::function<void(double)>& progress = {});
 
-// {"found": JSON of `rotorub modes`, "running": the scene's speed, "top": end of the diagram, both
+// {"running": the scene's speed, "top": end of the diagram, both
 // rad/s, "branches": [{"speed", "modes"}], "operating": modes at the scene's speed, "whirl_shapes",
 // "shaft": its "sections" and "discs", null in modal form, "response": of synchronous_response.h,
 // or null}. A mode is [frequency in rad/s, damping ratio].
 nlohmann::json rotor_data(const scene::Scene& scene, const Campbell& campbell);
-// The same for a run's free rotor, or {"refusal": reason} if it has no whirl to show.
+// The same for a run's free rotor, with "found", the JSON of `rotorub modes`; or {"refusal":
+// reason} if it has no whirl to show.
 nlohmann::json rotor_data(const scene::Scene& scene);
 
-// The critical speed maps (stiffness_map.h): [{"of": "bearings", "magnets", "ring" or "mount",
-// "contact": name of the ring among several, "stiffness", "own", "critical", "ring"}].
-nlohmann::json stiffness_data(const scene::Scene& scene);
-
-// The curves of each closed loop of magnetic bearings in `found`, one per axis: {"sensitivity": |S|
-// over rad/s, "step": m/N over s, until all have settled}.
-nlohmann::json loop_data(const RotorAnalysis& analysis);
+// The data of the page of `rotorub modes`: "rotor" is rotor_data with "stiffness", the critical
+// speed maps (stiffness_map.h): [{"of": "bearings", "magnets", "ring" or "mount", "contact": name
+// of the ring among several, "stiffness", "own", "critical", "ring"}]. "loops" has the curves of
+// each closed loop of magnetic bearings in the result, one per axis: {"sensitivity": |S| over
+// rad/s, "step": m/N over s, until all have settled}.
+nlohmann::json modes_data(const scene::Scene& scene, const Campbell& campbell);
 
 }  // namespace rotorub

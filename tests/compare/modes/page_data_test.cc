@@ -1,4 +1,4 @@
-#include "compare/report/rotor_data.h"
+#include "compare/modes/page_data.h"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,6 @@
 #include <complex>
 #include <nlohmann/json.hpp>
 
-#include "compare/base/units.h"
-#include "compare/modes/result.h"
-#include "compare/report/assets.h"
-#include "compare/report/command_pages.h"
-#include "compare/report/plot_points.h"
 #include "native_model/linear/campbell.h"
 #include "tests/support/native_run.h"
 #include "tests/support/oracles/shafts.h"
@@ -21,11 +16,11 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kExact = 1e-9;
+constexpr double kEqual = 1e-9;
 constexpr double kRange = 500.0;  // rad/s
 constexpr int kSpeeds = 26;
 
-scene::Scene friswell() {
+scene::Scene friswell_scene() {
   scene::Scene s;
   s.name = "friswell";
   s.rotor.speed = 100.0;
@@ -57,18 +52,8 @@ Campbell campbell_of_test(const scene::Scene& s) {
   auto branches = whirl_branches(analysis.system, even_speeds(kRange, kSpeeds));
   return {std::move(analysis), kRange, std::move(branches)};
 }
-std::string page_of(const scene::Scene& s) { return modes_page(s, campbell_of_test(s)); }
-
-// Between two strings.
-std::string part(const std::string& text, const std::string& from, const std::string& to) {
-  const std::size_t begin = text.find(from);
-  EXPECT_NE(begin, std::string::npos) << from;
-  const std::size_t end = text.find(to, begin + from.size());
-  return text.substr(begin + from.size(), end - begin - from.size());
-}
-
 TEST(RotorData, HasTheSpectraOfTheModel) {
-  const scene::Scene s = friswell();
+  const scene::Scene s = friswell_scene();
   const WhirlSystem system = whirl_system(s);
   const json data = rotor_data(s, campbell_of_test(s));
   ASSERT_EQ(data.at("branches").size(), 6u);
@@ -79,7 +64,7 @@ TEST(RotorData, HasTheSpectraOfTheModel) {
     double nearest = 1.0;
     for (const WhirlMode& mode : whirl_spectrum(system, kRange).modes)
       nearest = std::min(nearest, std::abs(mode.frequency / last - 1.0));
-    EXPECT_LT(nearest, kExact) << last;
+    EXPECT_LT(nearest, kEqual) << last;
     for (const json& mode : branch["modes"])
       EXPECT_NEAR(mode[1].get<double>(), 0.0, 1e-10) << "undamped";
   }
@@ -87,34 +72,16 @@ TEST(RotorData, HasTheSpectraOfTheModel) {
   EXPECT_EQ(data.at("top"), kRange);
 }
 
-// The JSON of the command, and what only the drawing needs.
-TEST(RotorData, HasTheResultAndTheShaft) {
-  const scene::Scene s = friswell();
+TEST(RotorData, HasTheShaft) {
+  const scene::Scene s = friswell_scene();
   const Campbell campbell = campbell_of_test(s);
   const json data = rotor_data(s, campbell);
-  EXPECT_EQ(data.at("found"), result::json_of(modes_result("", campbell.analysis)));
   EXPECT_EQ(data.at("shaft").at("discs").size(), 2u);
   ASSERT_EQ(data.at("whirl_shapes").size(), 6u);
   for (const json& whirl : data["whirl_shapes"])
-    EXPECT_EQ(whirl.at("shape").size(), data["found"]["mode_shapes"]["z"].size());
+    EXPECT_EQ(whirl.at("shape").size(),
+              static_cast<std::size_t>(campbell.analysis.shapes->z.size()));
   EXPECT_TRUE(rotor_data(jeffcott(), campbell_of_test(jeffcott())).at("shaft").is_null());
-}
-
-TEST(ModesPage, HoldsAllItNeeds) {
-  std::string page = page_of(friswell());
-  const std::string plotly = base64(packed_plotly_js());
-  const std::size_t script = page.find(plotly);
-  ASSERT_NE(script, std::string::npos);
-  page.erase(script, plotly.size());
-  EXPECT_EQ(page.find("http"), std::string::npos) << "nothing from a network";
-  EXPECT_EQ(page.find("src="), std::string::npos) << "nothing from another file";
-  EXPECT_EQ(page.find("<link"), std::string::npos);
-  EXPECT_EQ(page.find("@import"), std::string::npos);
-  EXPECT_EQ(page.find("{{"), std::string::npos) << "every name of the template filled";
-  const json data = json::parse(part(page, "type=\"application/json\">", "</script>"));
-  EXPECT_EQ(data.at("rotor").at("stiffness").size(), 1u);
-  EXPECT_EQ(data["rotor"].at("branches").size(), 6u);
-  EXPECT_EQ(data.at("loops"), json::array());
 }
 
 // One mode: X = e r^2 / (1 - r^2 + 2 i zeta r), zeta = 1/sqrt(1000).
@@ -172,54 +139,16 @@ TEST(RotorData, HasTheResponseBeforeAndAfterTheLossOfABlade) {
   EXPECT_EQ(response.at("contacts").at(0).at("clearance"), 0.5e-3);
 }
 
-json found_of(const scene::Scene& s) {
-  return json::parse(part(page_of(s), "type=\"application/json\">", "</script>"))
-      .at("rotor")
-      .at("found");
-}
-
-// A free rotor that is stable at any speed may whip once it touches; the page says so.
-TEST(ModesPage, SaysWhatATouchMayLeadTo) {
-  scene::Scene s = jeffcott();
-  EXPECT_TRUE(found_of(s).at("speeds").at(0).at("rub").is_null()) << "there is nothing to touch";
-  add_ring(s, 1e6);
-  s.first().contact->friction.coefficient = 0.2;
-  s.first().stator->damping = {200.0, 200.0};
-  const json attractors = found_of(s).at("speeds").at(0).at("rub").at("attractors");
-  EXPECT_NE(std::ranges::find(attractors, "backward whip"), attractors.end());
-}
-
 // A start of rotor and ring that only go together, as of mjcf/bench_annular_elastic.toml.
-TEST(ModesPage, AsksForNoStart) {
+TEST(RotorData, AsksForNoStart) {
   scene::Scene s = jeffcott();
   add_ring(s, 1e5);
   s.initial.x = {2e-3};
   s.first().stator->position = {1.8e-3, 0.0};
-  EXPECT_EQ(found_of(s).at("unstable_ranges"), json::array());
-}
-
-TEST(ModesPage, SaysWhatTheModelSays) {
-  scene::Scene s = friswell();
-  EXPECT_EQ(found_of(s).at("unstable_ranges"), json::array());
-  s.rotor.geometry->internal_damping_ratio = 0.01;
-  const json range = found_of(s).at("unstable_ranges").at(0);
-  EXPECT_NEAR(range[0].get<double>() * kRpm, 830.42, 0.01) << "as the first critical";
-  EXPECT_TRUE(range[1].is_null());
-}
-
-TEST(ModesPage, OfAModalFormSaysWhyItHasNoShapes) {
-  EXPECT_NE(page_of(jeffcott()).find("mode shapes: unknown, because the scene gives"),
-            std::string::npos);
-  EXPECT_NE(page_of(friswell()).find("mode shapes at rest"), std::string::npos);
-}
-
-// A text that would end the script element, and HTML in the scene.
-TEST(ModesPage, EscapesTheScene) {
-  scene::Scene s = jeffcott();
-  s.text = "# </script><b>";
-  const std::string page = page_of(s);
-  EXPECT_EQ(page.find("# </script>"), std::string::npos);
-  EXPECT_NE(page.find("# \\u003c/script>\\u003cb>"), std::string::npos);
+  const json data = modes_data(s, campbell_of_test(s));
+  EXPECT_EQ(data.at("rotor").at("branches").size(), 2u);
+  EXPECT_EQ(data.at("rotor").at("stiffness").size(), 1u) << "of the ring";
+  EXPECT_EQ(data.at("loops"), json::array());
 }
 
 TEST(CampbellRange, ShowsWhatMattersAndNoMore) {
@@ -260,7 +189,7 @@ TEST(RotorData, OfARunIsOfTheScenesSpeed) {
   const json& operating = data.at("operating");
   ASSERT_EQ(operating.size(), spectrum.modes.size());
   for (std::size_t k = 0; k < operating.size(); ++k)
-    EXPECT_NEAR(operating[k][0].get<double>() / spectrum.modes[k].frequency, 1.0, kExact);
+    EXPECT_NEAR(operating[k][0].get<double>() / spectrum.modes[k].frequency, 1.0, kEqual);
   EXPECT_GE(data.at("whirl_shapes").size(), 8u);
   EXPECT_TRUE(rotor_data(test::shipped("bench_ring")).at("found").at("mode_shapes").is_null());
 }

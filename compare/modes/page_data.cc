@@ -1,15 +1,16 @@
-#include "compare/report/rotor_data.h"
+#include "compare/modes/page_data.h"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 
 #include "compare/base/json.h"
+#include "compare/base/plot_points.h"
 #include "compare/modes/levitation_text.h"
 #include "compare/modes/result.h"
-#include "compare/report/plot_points.h"
 #include "native_model/linear/stiffness_map.h"
 #include "native_model/linear/synchronous_response.h"
+#include "native_model/scene/reader.h"
 
 namespace rotorub {
 namespace {
@@ -87,15 +88,53 @@ json response_json(const scene::Scene& scene, double top) {
   return data;
 }
 
-// Covers the scene's speed and the next critical speed instead of all of them: two and a half times
-// the scene's speed, or a quarter beyond the next critical speed.
+// Covers the scene's speed and the next critical speed instead of all of them.
 double response_range(const scene::Scene& scene, const Campbell& campbell) {
+  constexpr double kBeyondSpeed = 2.5, kBeyondCritical = 1.25;
   const double speed = std::abs(scene.rotor.speed);
   const std::vector<double>& critical = campbell.analysis.critical_speeds;
   if (speed == 0.0) return campbell.range;
   const auto next = std::upper_bound(critical.begin(), critical.end(), speed);
-  const double beyond = next == critical.end() ? 0.0 : 1.25 * *next;
-  return std::min(campbell.range, std::max(2.5 * speed, beyond));
+  const double beyond = next == critical.end() ? 0.0 : kBeyondCritical * *next;
+  return std::min(campbell.range, std::max(kBeyondSpeed * speed, beyond));
+}
+
+json stiffness_data(const scene::Scene& scene) {
+  constexpr const char* kOf[] = {"bearings", "magnets", "ring", "mount"};  // as StiffnessMap::Of
+  return list_of(stiffness_maps(scene), [&](const StiffnessMap& map) -> json {
+    const bool is_one_of_several = !map.ring.empty() && scene.auxiliary.size() > 1;
+    return {{"of", kOf[static_cast<std::size_t>(map.of)]},
+            {"contact", is_one_of_several ? scene.name_of(map.contact) : ""},
+            {"stiffness", map.stiffness},
+            {"own", map.own},
+            {"critical", map.critical},
+            {"ring", map.ring}};
+  });
+}
+
+json loop_data(const RotorAnalysis& analysis) {
+  constexpr std::size_t kBuckets = 300;
+  constexpr double kBeyondSettling = 1.4;
+  json loops = json::array();
+  for (const Levitation& levitation : analysis.levitations) {
+    if (!has_loop(levitation)) continue;
+    json sensitivity = json::array();
+    const Eigen::Index shown = levitation.unstable() ? 0 : levitation.sensitivities.rows();
+    for (Eigen::Index k = 0; k < shown; ++k) {
+      const Eigen::VectorXd sizes = levitation.sensitivities.row(k);
+      sensitivity.push_back(series(levitation.frequencies, {sizes.begin(), sizes.end()}, kBuckets));
+    }
+    double end = 0.0;  // s
+    for (const StepResponse& step : levitation.steps)
+      end = std::max(end, kBeyondSettling * step.settling_time);
+    loops.push_back({{"sensitivity", sensitivity},
+                     {"step", list_of(levitation.steps, [&](const StepResponse& step) {
+                        const auto last = std::ranges::upper_bound(step.t, end) - step.t.begin();
+                        return series({step.t.begin(), step.t.begin() + last},
+                                      {step.y.begin(), step.y.begin() + last}, kBuckets);
+                      })}});
+  }
+  return loops;
 }
 
 }  // namespace
@@ -136,7 +175,6 @@ json rotor_data(const scene::Scene& scene, const Campbell& campbell) {
   const RotorAnalysis& analysis = campbell.analysis;
   const double running = scene.rotor.speed;
   return {
-      {"found", result::json_of(modes_result(scene.name, analysis))},
       {"running", running},
       {"top", campbell.range},
       {"branches", list_of(campbell.branches,
@@ -156,47 +194,25 @@ json rotor_data(const scene::Scene& scene, const Campbell& campbell) {
 
 json rotor_data(const scene::Scene& scene) {
   try {
-    return rotor_data(scene, campbell_of(scene, analyse_free_rotor(scene, {})));
+    const Campbell campbell = campbell_of(scene, analyse_free_rotor(scene, {}));
+    json data = rotor_data(scene, campbell);
+    data["found"] = result::json_of(modes_result(scene.name, campbell.analysis));
+    return data;
   } catch (const std::runtime_error& error) {
     // The page of the run must not depend on its rotor's eigenvalues.
     return {{"refusal", error.what()}};
   }
 }
 
-json stiffness_data(const scene::Scene& scene) {
-  constexpr const char* kOf[] = {"bearings", "magnets", "ring", "mount"};  // as StiffnessMap::Of
-  return list_of(stiffness_maps(scene), [&](const StiffnessMap& map) -> json {
-    const bool is_one_of_several = !map.ring.empty() && scene.auxiliary.size() > 1;
-    return {{"of", kOf[static_cast<std::size_t>(map.of)]},
-            {"contact", is_one_of_several ? scene.name_of(map.contact) : ""},
-            {"stiffness", map.stiffness},
-            {"own", map.own},
-            {"critical", map.critical},
-            {"ring", map.ring}};
-  });
-}
-
-json loop_data(const RotorAnalysis& analysis) {
-  constexpr std::size_t kBuckets = 300;
-  json loops = json::array();
-  for (const Levitation& levitation : analysis.levitations) {
-    if (!has_loop(levitation)) continue;
-    json sensitivity = json::array();
-    const Eigen::Index shown = levitation.unstable() ? 0 : levitation.sensitivities.rows();
-    for (Eigen::Index k = 0; k < shown; ++k) {
-      const Eigen::VectorXd sizes = levitation.sensitivities.row(k);
-      sensitivity.push_back(series(levitation.frequencies, {sizes.begin(), sizes.end()}, kBuckets));
-    }
-    double end = 0.0;  // s
-    for (const StepResponse& step : levitation.steps) end = std::max(end, 1.4 * step.settling_time);
-    loops.push_back({{"sensitivity", sensitivity},
-                     {"step", list_of(levitation.steps, [&](const StepResponse& step) {
-                        const auto last = std::ranges::upper_bound(step.t, end) - step.t.begin();
-                        return series({step.t.begin(), step.t.begin() + last},
-                                      {step.y.begin(), step.y.begin() + last}, kBuckets);
-                      })}});
-  }
-  return loops;
+json modes_data(const scene::Scene& scene, const Campbell& campbell) {
+  json rotor = rotor_data(scene, campbell);
+  rotor["stiffness"] = stiffness_data(scene);
+  const bool is_sheared =
+      scene.rotor.geometry && scene.rotor.geometry->theory == scene::ShaftTheory::kTimoshenko;
+  return {{"rotor", std::move(rotor)},
+          {"loops", loop_data(campbell.analysis)},
+          {"hash", scene::scene_hash(scene)},
+          {"theory", is_sheared ? "Timoshenko" : "Euler-Bernoulli"}};
 }
 
 }  // namespace rotorub

@@ -1,18 +1,21 @@
-#include "compare/modes/summary_text.h"
+#include "compare/modes/answers.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "compare/base/format.h"
 #include "compare/base/units.h"
+#include "compare/modes/levitation_text.h"
+#include "compare/modes/whirl_tables.h"
 
 namespace rotorub {
 namespace {
 
-using result::Sentence;
+using result::Part, result::Sentence;
 
 // Empty without a critical speed.
 std::string critical_text(const RotorAnalysis& analysis, double speed) {
@@ -75,7 +78,47 @@ std::string rubs_text(const RubAnalyses& rubs, const RubAnalysis& at) {
                      fmt::join(stable, ", "));
 }
 
+// A sentence without full stop on the ranges of speed in which a whirl grows.
+std::string stability_text(const RotorAnalysis& analysis) {
+  if (!analysis.unstable.empty()) {
+    std::vector<std::string> ranges;
+    for (const auto& [from, to] : analysis.unstable) {
+      ranges.push_back(std::isinf(to)
+                           ? "above " + speed_text(from)
+                           : fmt::format("from {} to {} rpm ({} to {} rad/s)", grouped(from * kRpm),
+                                         grouped(to * kRpm), grouped(from), grouped(to)));
+    }
+    return fmt::format("unstable {}", fmt::join(ranges, " and "));
+  }
+  if (std::isinf(analysis.stability_bound)) return "stable at all speeds";
+  return "stable up to " + speed_text(analysis.stability_bound);
+}
+
 }  // namespace
+
+std::vector<Part> stability_parts(const RotorAnalysis& analysis) {
+  std::vector<std::string> sentences;
+  bool has_control = false;
+  for (std::size_t k = 0; k < analysis.levitations.size(); ++k) {
+    if (!has_loop(analysis.levitations[k])) continue;
+    has_control = true;
+    const std::string text = instability_text(analysis.spectra[k].speed, analysis.levitations[k]);
+    if (!text.empty() && (sentences.empty() || sentences.back() != text)) sentences.push_back(text);
+  }
+  if (sentences.empty()) {
+    const std::string text = stability_text(analysis);
+    sentences.push_back(
+        has_control ? "Whirl without integrators, filters, amplifiers and sampling: " + text +
+                          ". The poles include them."
+                    : text);
+  }
+  std::vector<Part> parts{
+      result::Data{"stability_threshold", number_or_null(analysis.stability_threshold())},
+      result::Data{"stability_bound", number_or_null(analysis.stability_bound)},
+      result::Data{"unstable_ranges", ranges_json(analysis.unstable)}, result::line("")};
+  for (const std::string& sentence : sentences) parts.push_back(Sentence{.text = sentence});
+  return parts;
+}
 
 std::string grouped(double value) {
   constexpr double kLeast = 1e4, kMost = 1e15;  // shorter numbers need no groups
@@ -91,8 +134,8 @@ std::string speed_text(double speed) {
   return fmt::format("{} rpm ({} rad/s)", grouped(speed * kRpm), grouped(speed));
 }
 
-std::vector<result::Part> summary_parts(const RotorAnalysis& analysis) {
-  std::vector<result::Part> parts;
+std::vector<Part> summary_parts(const RotorAnalysis& analysis) {
+  std::vector<Part> parts;
   const auto add = [&](std::string text) {
     if (!text.empty())
       parts.emplace_back(

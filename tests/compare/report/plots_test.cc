@@ -1,5 +1,4 @@
 // The report's figures beyond series: the characteristics, and the laws of each impact.
-#include "compare/report/rig_values.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "compare/report/plot_points.h"
+#include "compare/base/plot_points.h"
 
 #include <algorithm>
 #include <boost/archive/iterators/base64_from_binary.hpp>

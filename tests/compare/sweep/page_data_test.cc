@@ -1,29 +1,26 @@
-#include "compare/report/sweep_page.h"
+#include "compare/sweep/page_data.h"
 
 #include <nlohmann/json.hpp>
 
-#include "compare/report/assets.h"
-#include "compare/report/plot_points.h"
 #include "compare/sweep/linear_map.h"
 #include "tests/compare/sweep/studies.h"
 
-namespace rotorub {
+namespace rotorub::sweep {
 namespace {
 
 using nlohmann::json;
-using sweep::PointResult;
 
 const std::string kFrictions =
     test::sampled("list", {{"contact.friction", "[0.1, 0.2, 0.3, 0.4, 0.5, 0.6]"}});
 
-class SweepPage : public testing::Test {
+class SweepData : public testing::Test {
  protected:
   // Six points, of which the last failed; the mean force is the point's number.
   void open(const std::string& sample) {
     study = folder.study(test::of_ring() + sample);
-    scenes = std::make_unique<sweep::PointScenes>(study, std::span<const std::string>());
-    store = std::make_unique<sweep::Store>(folder.path() / "results.sqlite", study,
-                                           sweep::StudyIdentity{"h", 6}, sweep::Shard{});
+    scenes = std::make_unique<PointScenes>(study, std::span<const std::string>());
+    store = std::make_unique<Store>(folder.path() / "results.sqlite", study, StudyIdentity{"h", 6},
+                                    Shard{});
     std::vector<PointResult> results;
     for (std::int64_t i = 0; i < 6; ++i) {
       PointResult r;
@@ -46,12 +43,12 @@ class SweepPage : public testing::Test {
   }
 
   test::StudyFolder folder;
-  sweep::Study study;
-  std::unique_ptr<sweep::PointScenes> scenes;
-  std::unique_ptr<sweep::Store> store;
+  Study study;
+  std::unique_ptr<PointScenes> scenes;
+  std::unique_ptr<Store> store;
 };
 
-TEST_F(SweepPage, CellsOfAGrid) {
+TEST_F(SweepData, CellsOfAGrid) {
   open(R"([sample]
 kind = "grid"
 [[vary]]
@@ -75,30 +72,23 @@ values = [0.1, 0.3]
   EXPECT_EQ(plots["statuses"], json({"ok", "diverged"}));
 }
 
-TEST_F(SweepPage, MarksOfAList) {
+TEST_F(SweepData, MarksOfAList) {
   open(kFrictions);
   const json plots = sweep_plots(*scenes, *store, study);
   EXPECT_EQ(plots["kind"], "marks");
   EXPECT_EQ(plots["values"][0], json({0.1, 0.2, 0.3, 0.4, 0.5, 0.6}));
 }
 
-TEST_F(SweepPage, NeedsNoNetworkAndQuotesReasons) {
+TEST_F(SweepData, HasItsFailures) {
   open(kFrictions);
-  const std::string page = sweep_page(*scenes, *store, study, sweep_json(*scenes, *store, study));
-  EXPECT_NE(page.find("What does bench_ring do over contact.friction?"), std::string::npos);
-  EXPECT_NE(page.find("5 of 6 points ran to their end; 1 diverged."), std::string::npos);
-  EXPECT_NE(page.find(R"("reason":"\u003cb>nowhere\u003c/b>")"), std::string::npos);
-  EXPECT_EQ(page.find("<b>nowhere"), std::string::npos);
-  std::string own = page;
-  const std::string plotly = base64(packed_plotly_js());
-  own.erase(own.find(plotly), plotly.size());
-  for (const char* outside : {"http:", "https:", "@import", "src="}) {
-    EXPECT_EQ(own.find(outside), std::string::npos) << outside;
-  }
+  const json kept = sweep_json(*scenes, *store, study);
+  const json failed = page_data(*scenes, *store, study, kept, {}, {}).at("failed");
+  EXPECT_EQ(failed, json::parse(R"([{"status": "diverged", "reason": "<b>nowhere</b>", "points": 1,
+                                     "first": 5}])"));
 }
 
 // Every point of a grid over friction has its lasting rubs beside its run, even if the run failed.
-TEST_F(SweepPage, HasTheLinearMapOfAGridOverFriction) {
+TEST_F(SweepData, HasTheLinearMapOfAGridOverFriction) {
   open(R"([sample]
 kind = "grid"
 [[vary]]
@@ -109,7 +99,7 @@ key = "rotor.speed"
 also = ["force[0].frequency"]
 values = ["50 Hz", "60 Hz"]
 )");
-  const sweep::LinearMap map = sweep::linear_map(*scenes);
+  const LinearMap map = linear_map(*scenes);
   ASSERT_EQ(map.points.size(), 6U);
   EXPECT_EQ(map.refused, "");
   for (std::size_t i = 0; i < 6; ++i) {
@@ -123,14 +113,14 @@ values = ["50 Hz", "60 Hz"]
   EXPECT_EQ(rubs.at("attractors").size(), 6U);
 }
 
-TEST_F(SweepPage, HasNoLinearMapOfOtherStudies) {
+TEST_F(SweepData, HasNoLinearMapOfOtherStudies) {
   open(kFrictions);
-  EXPECT_FALSE(sweep::linear_map(*scenes).any());
+  EXPECT_FALSE(linear_map(*scenes).any());
   EXPECT_FALSE(sweep_json(*scenes, *store, study).at("plots").contains("linear"));
 }
 
 // A report reads later what the page of the sweep shows.
-TEST_F(SweepPage, IsKeptForAReport) {
+TEST_F(SweepData, IsKeptForAReport) {
   open(R"([sample]
 kind = "grid"
 [[vary]]
@@ -150,4 +140,4 @@ count = 6
 }
 
 }  // namespace
-}  // namespace rotorub
+}  // namespace rotorub::sweep
