@@ -108,7 +108,7 @@ Eigen::Vector2d own_command(Worker& worker, std::int64_t k, double t, double h) 
   ZeroOrderHold& hold = worker.hold;
   VerletStepper& stepper = worker.stepper;
   const double end = t + 0.5 * h;
-  if (!hold.listens(end)) return hold.held();
+  if (!hold.needs_state(end)) return hold.held();
   double v[kMaxCoordinates], a[kMaxCoordinates] = {};
   stepper.velocity_now(k, hold.held(), v);
   for (int i = 0; k > 0 && i < worker.model.nq(); ++i) a[i] = 2.0 / h * (v[i] - stepper.v()[i]);
@@ -151,8 +151,8 @@ void step(const Config& config, const mjModel* m, mjData* d, ShadowEntries& entr
   worker.stepper.save(stepper_memory(config, entry));
   entry.steps += 1.0;
   const double kick = worker.stepper.last_kick() * h;
-  entry.normal = done.normal_impulse / kick;
-  entry.friction = done.friction_impulse / kick;
+  entry.normal = done.contacts[0].normal_impulse / kick;
+  entry.friction = done.contacts[0].friction_impulse / kick;
   move_ghosts(config, d);
 }
 

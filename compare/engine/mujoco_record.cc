@@ -30,12 +30,6 @@ double impact_time(const plugin::ContactForces& f, double t, double h, double ga
   return t + std::clamp(gap / std::max(-f.gap_rate_before, 1e-300), 0.0, h);
 }
 
-// The contact forces without the impulse of an impact, which is not a lasting force.
-ContactSnapshot lasting(const plugin::ContactForces& f, const ActuatorState& actuator) {
-  const double share = f.impact ? 0.0 : 1.0;
-  return {share * f.normal, share * f.friction, f.mode, actuator};
-}
-
 }  // namespace
 
 MujocoRecord::MujocoRecord(const Model& model, bool rigid, double step, std::vector<double> times,
@@ -44,7 +38,7 @@ MujocoRecord::MujocoRecord(const Model& model, bool rigid, double step, std::vec
       rigid_(rigid),
       step_(step),
       recorder_(model, std::move(times), window),
-      others_(model.auxiliary.size() - 1),
+      shown_(model.auxiliary.size()),
       middle_(static_cast<std::size_t>(model.nq())),
       half_(middle_) {
   for (std::size_t k = 0; k < model.auxiliary.size(); ++k) {
@@ -60,7 +54,8 @@ void MujocoRecord::begin(const double* q, const double* v) {
   const Eigen::Vector2d told = hold.at(0.0, q, v);
   ActuatorState acts = actuator_state(model_, q, v, lags ? Eigen::Vector2d(0.0, 0.0) : told);
   acts.outputs = hold.outputs();
-  recorder_.begin({{0.0, 0.0, Mode::kFree, acts}, 0.0, q, v, others_});
+  shown_[0].actuator = acts;
+  recorder_.begin({0.0, q, v, shown_});
   for (std::size_t k = 0; k < contacts_.size(); ++k)
     contacts_[k].point = contact_point(model_, q, v, k);
   last_q_.assign(q, q + model_.nq());
@@ -116,9 +111,18 @@ void MujocoRecord::step(std::int64_t k, const double* q, const double* v, const 
   for (std::size_t i = 1; i < contacts_.size(); ++i) step_contact(k, i, q, v, r);
   const StepBalance balance = balance_of_step(k, q, v, r);
   const plugin::ContactForces& f = r.forces.front();
-  recorder_.step({lasting(f, r.actuator), time(k + 1), q, v, others_}, step_ * f.normal,
-                 step_ * f.friction, f.impact ? &impact : nullptr, balance);
+  recorder_.step({time(k + 1), q, v, shown_}, step_ * f.normal, step_ * f.friction,
+                 f.impact ? &impact : nullptr, balance);
   watch_gaps();
+}
+
+// Shows the contact's forces without the impulse of an impact, which is not a lasting force, and
+// the actuator of the first ring.
+void MujocoRecord::show(std::size_t contact, const StepResult& r) {
+  const plugin::ContactForces& f = r.forces[contact];
+  const double share = f.impact ? 0.0 : 1.0;
+  shown_[contact] = {share * f.normal, share * f.friction, f.mode,
+                     contact == 0 ? r.actuator : ActuatorState{}};
 }
 
 void MujocoRecord::watch_gaps() {
@@ -146,7 +150,7 @@ Impact MujocoRecord::step_contact(std::int64_t k, std::size_t contact, const dou
   } else if (model_.auxiliary[contact].contact) {
     own.episodes.step({t, step_, own.point, after, f.normal, f.friction, f.mode});
   }
-  if (contact > 0) others_[contact - 1] = lasting(f, {});
+  show(contact, r);
   if (contacts_.size() > 1) {
     if (f.normal > 0.0) {
       const double slips = f.impact ? f.slip_before + f.slip_after : own.point.slip + after.slip;
@@ -170,12 +174,11 @@ void MujocoRecord::native_step(std::int64_t k, const double* q, const double* v,
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     contacts_[i].point = contact_point(model_, q, v, i);
     note_mode(t, r.forces[i].mode, i);
-    if (i > 0) others_[i - 1] = lasting(r.forces[i], {});
+    show(i, r);
   }
   if (k > 0) {
     count_impacts();
-    recorder_.advance({lasting(r.forces.front(), r.actuator), t, q, v, others_},
-                      contacts_.front().point, !impacts_.empty());
+    recorder_.advance({t, q, v, shown_}, contacts_.front().point, !impacts_.empty());
     watch_gaps();
   }
   StepFigures figures;

@@ -43,6 +43,7 @@ class MujocoRecord {
   void add_contact(StepFigures& figures, std::size_t contact, double t, double normal,
                    double friction, double work);
   void note_mode(double t, Mode mode, std::size_t contact);
+  void show(std::size_t contact, const StepResult& r);  // writes shown_
   void watch_gaps();  // of several contacts, at the state that the recorder got last
   Impact step_contact(std::int64_t k, std::size_t contact, const double* q, const double* v,
                       const StepResult& r);
@@ -57,8 +58,8 @@ class MujocoRecord {
     ContactEpisodes episodes;
     ContactPoint point{};
   };
-  std::vector<AtContact> contacts_;      // one per contact
-  std::vector<ContactSnapshot> others_;  // the contacts after the first
+  std::vector<AtContact> contacts_;     // one per contact
+  std::vector<ContactSnapshot> shown_;  // of the last snapshot
   // With native steps: the impacts of the previous step and their work on the coordinates.
   std::vector<Impact> impacts_;
   double impact_work_ = 0.0;  // J

@@ -23,8 +23,8 @@
 #include <array>
 #include <span>
 
+#include "native_model/contact/contact_list.h"
 #include "native_model/contact/impact.h"
-#include "native_model/contact/most_contacts.h"
 
 namespace rotorub {
 

@@ -91,7 +91,7 @@ bool EventIntegrator::look_ahead() {
     return false;
   }
   ++result_.steps;
-  if (const auto why = stiffness_.look(motion_.t, end_, step_)) {
+  if (const auto why = stiffness_.check(motion_.t, end_, step_)) {
     fail(Status::kStepTooLarge, *why);
     return false;
   }

@@ -67,7 +67,7 @@ class EventIntegrator {
   // Passes the stretch only up to t (s), where `jump` changes loads or held commands.
   void cut(double t, const std::function<void()>& jump);
   // Moves the end to a later time, s; the old end becomes a break like any other.
-  void put_off_end(double end);
+  void extend_end(double end);
   const Result& result() const { return result_; }
 
   // The complete changing state except the recorder; only this integrator can restore it.

@@ -32,7 +32,7 @@ EventImpact::Outcome EventImpact::run(Motion& motion, std::span<const ClosedCont
 // An impact takes no time where an accumulation ends, or if the flight after it would be shorter
 // than the impact. It then has no rebound.
 bool EventImpact::takes_time(const Motion& motion, const ClosedContact& touch) const {
-  const ContactParameters& c = *model_->first().contact;
+  const ContactParameters& c = *model_->auxiliary[touch.index].contact;
   const double approach = -touch.point.gap_rate;
   if (c.impact_time() == 0.0 || approach < parameters_->zeno_velocity_threshold) return false;
   ClosedContact only = touch;

@@ -18,7 +18,7 @@ Observer::Observer(const Model& model, const EventParameters& parameters, Phase&
       slope_(row_),
       of_contacts_(model.auxiliary.size()),
       touches_(model.auxiliary.size()),
-      others_(model.auxiliary.size() - 1) {}
+      shown_(model.auxiliary.size()) {}
 
 void Observer::begin(const Motion& start, Recorder& recorder) {
   recorder_ = &recorder;
@@ -47,9 +47,9 @@ ContactSnapshot Observer::snapshot_of(std::size_t k, double t, const double* y) 
 
 Snapshot Observer::snapshot(double t, const double* y) {
   phase_->derivative(t, y, slope_.data());
-  for (std::size_t k = 0; k < others_.size(); ++k) others_[k] = snapshot_of(k + 1, t, y);
+  for (std::size_t k = 0; k < shown_.size(); ++k) shown_[k] = snapshot_of(k, t, y);
   const int nq = model_->nq();  // the integrals are stored after the velocities
-  return {snapshot_of(0, t, y), t, y, y + nq, others_, y + 2 * nq};
+  return {t, y, y + nq, shown_, y + 2 * nq};
 }
 
 Snapshot Observer::within(const Motion& from, SmoothStep& step, Constraint& constraint, double t) {
@@ -240,9 +240,9 @@ void Observer::watch(const Motion& from, const FiniteImpact& impact, std::size_t
   const bool cut = now < from.t + duration;
   for (double t = recorder_->next_time(); cut ? t <= now : t < now; t = recorder_->next_time()) {
     state_at(t - from.t);
-    Snapshot s = snapshot(t, row_.data());
-    s.normal_force = force.x();
-    s.friction_force = force.y();
+    const Snapshot s = snapshot(t, row_.data());
+    shown_[0].normal_force = force.x();
+    shown_[0].friction_force = force.y();
     recorder_->row(s);
   }
   const auto angle = [&](double share) {

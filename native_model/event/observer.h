@@ -73,7 +73,7 @@ class Observer {
     double normal = 0.0, friction = 0.0, work = 0.0;  // integrals at its start
   };
   std::vector<Touch> touches_;
-  std::vector<ContactSnapshot> others_;
+  std::vector<ContactSnapshot> shown_;              // of the last snapshot
   double contact_time_ = 0.0;                       // s
   double impact_work_ = 0.0;                        // J, on the coordinates
   double impact_impulse_ = 0.0;                     // N s, normal, all impacts so far

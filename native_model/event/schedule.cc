@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "native_model/control/control_loop.h"
+#include "native_model/model/loads.h"
 
 namespace rotorub {
 
@@ -13,16 +14,9 @@ void Schedule::find_breaks(double start, double end) {
   const auto add = [&](double t) {
     if (t > 0.0 && t < end) breaks_.push_back(t);
   };
-  for (const AppliedForce& f : m.forces) {
-    add(f.on);
-    add(f.off);
-    if (f.ramp > 0.0) add(f.on + f.ramp);
-  }
-  for (const DiscUnbalance& u : m.unbalances) add(u.on);
+  equations::for_each_switch(m, add);
+  for (const AppliedForce& f : m.forces) add(f.on + f.ramp);
   if (m.base) std::ranges::for_each(m.base->breaks(), add);
-  for (const StationFeedback& f : m.feedbacks) {
-    for (const double t : f.works.all()) add(t);
-  }
   if (m.drive_follows()) add(m.drive->ramp_end());
   for (const AuxiliaryBearing& at : m.auxiliary) {
     if (at.controller) {

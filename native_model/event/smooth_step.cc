@@ -32,12 +32,9 @@ SmoothStep::SmoothStep(const Model& model, const EventParameters& parameters, Ph
 void SmoothStep::begin(const Motion& start, double first) {
   next_ = first;
   rejected_ = 0;
-  displacement_ = kLeastDisplacement;
-  // The largest of the clearances.
+  displacement_ = model_->has_contact() ? 0.0 : kLeastDisplacement;
   for (const AuxiliaryBearing& bearing : model_->auxiliary) {
-    if (!bearing.contact) continue;
-    const double clearance = bearing.contact->clearance;
-    displacement_ = &bearing == &model_->first() ? clearance : std::max(displacement_, clearance);
+    if (bearing.contact) displacement_ = std::max(displacement_, bearing.contact->clearance);
   }
   speed_ = kLeastSpeed;
   spin_ = 0.0;
@@ -251,24 +248,26 @@ std::string part_of(const Layout& l, int i) {
 
 }  // namespace
 
-std::optional<std::string> StiffnessWatch::look(double t, double end, const SmoothStep& step) {
-  if (++steps_ % kStepsBetween != 0) return {};
+std::optional<std::string> StiffnessWatch::check(double t, double end, const SmoothStep& step) {
+  if (++count_.steps % kStepsBetween != 0) return {};
   const SmoothStep::Stability now = step.stability();
   // The number of remaining steps at the pace since the last check.
   const double at_pace =
-      steps_ > kStepsBetween ? (end - t) * static_cast<double>(kStepsBetween) / (t - last_) : 0.0;
+      count_.steps > kStepsBetween
+          ? (end - t) * static_cast<double>(kStepsBetween) / (t - count_.last_check)
+          : 0.0;
   const double impacts_at_pace =
-      at_pace / static_cast<double>(kStepsBetween) * static_cast<double>(impacts_);
+      at_pace / static_cast<double>(kStepsBetween) * static_cast<double>(count_.impacts);
   // A short pause between bursts must not begin the count anew.
   const bool fast = impacts_at_pace > parameters_->most_impacts;
-  fast_impacts_ = fast ? fast_impacts_ + impacts_ : fast_impacts_ / 2;
-  const bool bounces = 2 * impacts_ > kStepsBetween;
-  impacts_ = 0;
-  last_ = t;
+  count_.fast_impacts = fast ? count_.fast_impacts + count_.impacts : count_.fast_impacts / 2;
+  const bool bounces = 2 * count_.impacts > kStepsBetween;
+  count_.impacts = 0;
+  count_.last_check = t;
   const auto text = [](double value) { return scene::number_text(value, 2); };
   // An accumulation that ends by itself has fewer, unless the restitution is above 0.99999.
   constexpr double kWatched = 0.2;  // of most_impacts
-  if (static_cast<double>(fast_impacts_) > kWatched * parameters_->most_impacts) {
+  if (static_cast<double>(count_.fast_impacts) > kWatched * parameters_->most_impacts) {
     return "the rotor bounces without end, " + text(impacts_at_pace) +
            " more impacts at the present pace (lower contact.restitution, or take the integrator "
            "`verlet`, whose steps do not follow every bounce)";
@@ -276,13 +275,17 @@ std::optional<std::string> StiffnessWatch::look(double t, double end, const Smoo
   if (bounces) return {};  // impacts, not stability, shorten the steps
   const bool hopeless = at_pace > parameters_->most_steps;
   if (!hopeless && now.rate * step.length() < kBorder) {
-    if (++smooth_ == kSmoothLooks) stiff_ = 0;
+    if (++count_.smooth == kSmoothLooks) count_.stiff = 0;
     return {};
   }
-  smooth_ = 0;
-  if (stiff_++ == 0) begun_ = steps_, since_ = t;
-  if (stiff_ <= kStiffLooks) return {};
-  const double to_go = (end - t) * static_cast<double>(steps_ - begun_) / (t - since_);
+  count_.smooth = 0;
+  if (count_.stiff++ == 0) {
+    count_.first_stiff = count_.steps;
+    count_.first_stiff_time = t;
+  }
+  if (count_.stiff <= kStiffLooks) return {};
+  const double to_go = (end - t) * static_cast<double>(count_.steps - count_.first_stiff) /
+                       (t - count_.first_stiff_time);
   if (to_go < parameters_->most_stiff_steps) return {};
   const double time = 1.0 / std::max(now.rate, kBorder / step.length());
   return part_of(model_->layout, now.coordinate) + " follows within " + text(time) +

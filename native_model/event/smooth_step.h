@@ -103,25 +103,28 @@ class StiffnessWatch {
   StiffnessWatch(const Model& model, const EventParameters& parameters)
       : model_(&model), parameters_(&parameters) {}
 
-  void begin() { steps_ = impacts_ = fast_impacts_ = 0, stiff_ = smooth_ = 0; }
-  void count_impact() { ++impacts_; }
+  void begin() { count_ = {}; }
+  void count_impact() { ++count_.impacts; }
   // Call it after every accepted step; t (s) is its start on the way to `end` (its end may lie
   // beyond an event, and so beyond the start of the next step). Returns the reason to stop the run.
   // The result is empty if not more than parameters.most_stiff_steps remain; or if the motion, not
   // stability, limits the steps and not more than parameters.most_steps remain. It also stops for
   // impacts without end (parameters.most_impacts).
-  std::optional<std::string> look(double t, double end, const SmoothStep& step);
+  std::optional<std::string> check(double t, double end, const SmoothStep& step);
 
  private:
   const Model* model_;
   const EventParameters* parameters_;
-  std::int64_t steps_ = 0;
-  std::int64_t impacts_ = 0;       // since the last look
-  std::int64_t fast_impacts_ = 0;  // at a pace at which too many would remain
-  std::int64_t begun_ = 0;         // steps_ at the first stiff step
-  double since_ = 0.0;             // s, time at the first stiff step
-  double last_ = 0.0;              // s, time of the last look
-  int stiff_ = 0, smooth_ = 0;
+  struct Count {
+    std::int64_t steps = 0;
+    std::int64_t impacts = 0;       // since the last check
+    std::int64_t fast_impacts = 0;  // at a pace at which too many would remain
+    std::int64_t first_stiff = 0;   // steps at the first stiff check
+    double first_stiff_time = 0.0;  // s
+    double last_check = 0.0;        // s
+    int stiff = 0, smooth = 0;      // checks
+  };
+  Count count_;
 };
 
 }  // namespace rotorub

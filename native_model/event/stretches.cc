@@ -53,7 +53,7 @@ void EventIntegrator::cut(double t, const std::function<void()>& jump) {
   arrive_at_break();
 }
 
-void EventIntegrator::put_off_end(double end) {
+void EventIntegrator::extend_end(double end) {
   const bool ended = motion_.t >= end_;
   schedule_.find_breaks(motion_.t, end);
   end_ = end;

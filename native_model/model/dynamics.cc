@@ -32,18 +32,18 @@ Eigen::Vector2d pair_at(const double* x, int at) {
 // Adds all loads except the diagonal ones, the gyroscopic moments and the weight.
 void add_loads(const Model& m, double t, const Angles& angles, const double* q, const double* v,
                double* f) {
-  const auto working = eq::working_at(m, t);
-  const auto add_forces = [&](double* to) { eq::add_forces(m, t, q, to); };
-  eq::add_loads<eq::Gyroscopics::kLeftOut>(m, {t, working.data(), angles}, q, v, add_forces, f);
+  const double omega = eq::spin_speed(m, v);
+  eq::add_linear_loads(m, omega, eq::working_at(m, t).data(), q, v, f);
+  add_ring_supports(m, q, v, f);
+  eq::add_forces(m, t, q, f);
+  if (!m.unbalances.empty()) eq::add_unbalance(m, angles, omega, f);
+  eq::add_drive(m, t, q, v, f);
 }
 
 }  // namespace
 
 double spin_angle(const Model& m, double t, const double* q) { return eq::spin_angle(m, t, q); }
 double spin_speed(const Model& m, const double* v) { return eq::spin_speed(m, v); }
-double contact_spin(const Model& m, const double* v, std::size_t k) {
-  return eq::contact_spin(m, m.auxiliary[k], v);
-}
 double motor_torque(const Model& m, double t, const double* q, const double* v) {
   return m.drive ? eq::motor_torque(m, t, q, v) : 0.0;
 }
@@ -199,11 +199,7 @@ double external_power(const Model& m, double t, const double* q, const double* v
   }
   double power = 0.0;
   for (int i = 0; i < l.mechanical(); ++i) power += (f[i] + m.stiffness[i] * q[i]) * v[i];
-  return power + extra_power(m, t, q, v);
-}
-
-double extra_power(const Model& m, double t, const double* q, const double* v) {
-  return extra_power(m, angles_at(m, t, q), q, v);
+  return power + extra_power(m, angles_at(m, t, q), q, v);
 }
 
 double extra_power(const Model& m, const Angles& angles, const double* q, const double* v) {

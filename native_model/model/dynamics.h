@@ -16,9 +16,6 @@ struct DiscAngles;  // equations.h
 
 double spin_angle(const Model& model, double t, const double* q);  // rad, phi, without torsion
 double spin_speed(const Model& model, const double* v);            // rad/s, Omega, without torsion
-// rad/s, Omega_c - (R/r) Omega_r, including torsion; Omega_r is the speed of a ring that turns.
-// `contact`: index of the auxiliary bearing, here and below.
-double contact_spin(const Model& model, const double* v, std::size_t contact = 0);
 
 // N m, torque of the drive on the rotor; 0 without a drive.
 double motor_torque(const Model& model, double t, const double* q, const double* v);
@@ -48,7 +45,8 @@ void solve_mass(const Model& model, const double* diagonal, double t, const doub
                 const double* f, double* a);
 
 // In the contact plane, m: the rotor's centre, and the ring's displacement from rest. With
-// velocities in place of q: their rates, m/s.
+// velocities in place of q: their rates, m/s. `contact`: index of the auxiliary bearing, here and
+// below.
 Eigen::Vector2d rotor_point(const Model& model, const double* q, std::size_t contact = 0);
 Eigen::Vector2d stator_point(const Model& model, const double* q, std::size_t contact = 0);
 // m: the ring's centre, and the vector from it to the rotor's centre.
@@ -57,7 +55,8 @@ Eigen::Vector2d separation(const Model& model, const double* q, std::size_t cont
 ContactPoint contact_point(const Model& model, const double* q, const double* v,
                            std::size_t contact = 0);
 
-// (ddot, contact_spin) for the velocities v.
+// (ddot, contact spin) for the velocities v; the contact spin is Omega_c - (R/r) Omega_r (rad/s),
+// including torsion, where Omega_r is the speed of a ring that turns.
 Eigen::Vector3d contact_rates(const Model& model, const double* v, std::size_t contact = 0);
 // (ddot', contact_spin') for the generalised accelerations a.
 Eigen::Vector3d contact_acceleration(const Model& model, const double* a, std::size_t contact = 0);
@@ -93,13 +92,13 @@ double switching_work(const Model& model, double from, double to, const double* 
 void add_ring_supports(const Model& model, const double* q, const double* v, double* f);
 // Replaces the rates of the dry-friction bristles in f by the loads M ds/dt that move them, in a
 // step of length h (s), from their states in `from` to the states that follow from `v`; both have
-// nq values. The bristles stay within full slip for any h.
+// nq values. Their motion within the step may be fast and is computed exactly; they stay within
+// full slip for any h.
 void step_bristles(const Model& model, const double* v, const double* from, double h, double* f);
 // W, power of the terms in f that couple a ring and its housing through their spring; energy()
 // contains this spring.
 double coupling_power(const Model& model, const double* q, const double* v);
 // W, the part of external_power beyond (f + stiffness q) . v, for callers that already have f.
-double extra_power(const Model& model, double t, const double* q, const double* v);
 double extra_power(const Model& model, const equations::DiscAngles& angles, const double* q,
                    const double* v);
 

@@ -36,8 +36,7 @@ inline Pair at_station(int n, const ModeShape& shape, const double* q) {
 }
 
 // Vector from the ring's centre to the rotor's centre in the contact plane, relative to the rest
-// positions; for velocities the relative velocity. `at`: the auxiliary bearing, here and below; the
-// first one by default.
+// positions; for velocities the relative velocity. `at`: the auxiliary bearing, here and below.
 inline Pair relative(const Model& m, const AuxiliaryBearing& at, const double* q) {
   Pair d = at_station(m.layout.modes, at.shape, q);
   if (const int ring = at.ring; ring != kAbsent) {
@@ -46,14 +45,12 @@ inline Pair relative(const Model& m, const AuxiliaryBearing& at, const double* q
   }
   return d;
 }
-inline Pair relative(const Model& m, const double* q) { return relative(m, m.first(), q); }
 
 // m, vector from the ring's centre to the rotor's centre, including the ring's offset at rest.
 inline Pair separation(const Model& m, const AuxiliaryBearing& at, const double* q) {
   const Pair d = relative(m, at, q);
   return {d.x - at.ring_offset.x(), d.y - at.ring_offset.y()};
 }
-inline Pair separation(const Model& m, const double* q) { return separation(m, m.first(), q); }
 
 // rad/s, Omega, without torsion.
 inline double spin_speed(const Model& m, const double* v) {
@@ -78,9 +75,6 @@ inline double turning_at_contact(const Model& m, const AuxiliaryBearing& at, con
 inline double contact_spin(const Model& m, const AuxiliaryBearing& at, const double* v) {
   const double omega = equations::spin_speed(m, v);
   return turns_at_contact(m) ? omega + turning_at_contact(m, at, v) : omega;
-}
-inline double contact_spin(const Model& m, const double* v) {
-  return contact_spin(m, m.first(), v);
 }
 
 // rad, phi, without torsion.
@@ -230,8 +224,8 @@ inline double at_motor(const Model& m, const double* q) {
 // motor. Call it only with a drive.
 inline double motor_torque(const Model& m, double t, const double* q, const double* v) {
   const double speed = at_motor(m, v);
-  if (!m.drive_follows()) return m.drive_torque(0.0, 0.0, speed);
-  return m.drive_torque(t, at_motor(m, q) - m.drive_angle, speed);
+  if (!m.drive_follows()) return m.drive->torque(0.0, 0.0, speed);
+  return m.drive->torque(t, at_motor(m, q) - m.drive_angle, speed);
 }
 
 inline void add_drive(const Model& m, double t, const double* q, const double* v, double* f) {
@@ -256,9 +250,6 @@ inline void add_contact_load(const Model& m, const AuxiliaryBearing& at, double 
     f[ring + 1] -= py;
   }
   if (const int angle = at.ring_angle; angle != kAbsent) f[angle] -= at.ring_ratio * pz;
-}
-inline void add_contact_load(const Model& m, double px, double py, double pz, double* f) {
-  add_contact_load(m, m.first(), px, py, pz, f);
 }
 
 }  // namespace rotorub::equations

@@ -20,7 +20,7 @@ void load_phase(double tau, const std::vector<double>& acceleration, const doubl
 FiniteImpact::FiniteImpact(const Model& model) : model_(&model), constraint_(model) {
   const auto n = static_cast<std::size_t>(model.nq());
   for (auto* x : {&q_, &v_, &after_compression_, &after_, &end_q_, &end_v_, &end_a_, &force_,
-                  &acceleration_, &room_, &room_v_}) {
+                  &acceleration_, &scratch_q_, &scratch_v_}) {
     x->assign(n, 0.0);
   }
 }
@@ -31,12 +31,11 @@ double FiniteImpact::power(double t, const double* q, const double* v,
 }
 
 Eigen::Vector2d FiniteImpact::rates(const double* v) const {
-  return rates_along(e_r_, model_->first().contact->radius, contact_rates(*model_, v));
+  return rates_along(e_r_, contact().radius, contact_rates(*model_, v));
 }
 
 double FiniteImpact::duration(std::size_t phase) const {
-  return phase == 0 ? model_->first().contact->compression_time
-                    : model_->first().contact->expansion_time;
+  return phase == 0 ? contact().compression_time : contact().expansion_time;
 }
 
 Eigen::Vector2d FiniteImpact::phase_force(std::size_t phase) const {
@@ -47,7 +46,7 @@ Eigen::Vector2d FiniteImpact::phase_force(std::size_t phase) const {
 Status FiniteImpact::begin(double t, const double* q, const double* v,
                            const Eigen::Vector2d& command, bool follows) {
   const Model& m = *model_;
-  const ContactParameters& c = *m.first().contact;
+  const ContactParameters& c = contact();
   std::copy_n(q, q_.size(), q_.begin());
   std::copy_n(v, v_.size(), v_.begin());
   const ContactPoint touch = contact_point(m, q, v);
@@ -78,9 +77,9 @@ Status FiniteImpact::begin(double t, const double* q, const double* v,
 
   load_phase(c.compression_time, acceleration_, v_.data(), after_compression_);
   constraint_.apply(t, q_.data(), after_compression_.data(), e_r_, impulse_[0], impulse_[1]);
-  coordinates(middle_, room_.data());
+  coordinates(middle_, scratch_q_.data());
   load_phase(c.expansion_time, acceleration_, after_compression_.data(), after_);
-  constraint_.apply(middle_, room_.data(), after_.data(), e_r_, impulse_[2], impulse_[3]);
+  constraint_.apply(middle_, scratch_q_.data(), after_.data(), e_r_, impulse_[2], impulse_[3]);
 
   record_ = {};
   record_.t = t;
@@ -130,9 +129,9 @@ FiniteImpact::Part FiniteImpact::part(std::size_t phase, double dt) const {
   const Model& m = *model_;
   const double t = begin_of(phase), share = dt < duration(phase) ? dt / duration(phase) : 1.0;
   Part p{share * impulse_[2 * phase], share * impulse_[2 * phase + 1], {}, {}, 0.0};
-  double *q = room_.data(), *v = room_v_.data();
+  double *q = scratch_q_.data(), *v = scratch_v_.data();
   coordinates(t, q);
-  load_phase(dt, acceleration_, from(phase), room_v_);
+  load_phase(dt, acceleration_, from(phase), scratch_v_);
   for (int i = 0; i < m.layout.mechanical(); ++i) {
     p.external_work += 0.5 * dt * force_[static_cast<std::size_t>(i)] * (from(phase)[i] + v[i]);
   }
@@ -141,7 +140,7 @@ FiniteImpact::Part FiniteImpact::part(std::size_t phase, double dt) const {
   p.after = rates(v);
   // Growth of the stored energy along the path.
   p.external_work -= energy(m, t, q, v);
-  for (std::size_t i = 0; i < room_.size(); ++i) q[i] += dt * to(phase)[i];
+  for (std::size_t i = 0; i < scratch_q_.size(); ++i) q[i] += dt * to(phase)[i];
   p.external_work += energy(m, t + dt, q, v);
   return p;
 }

@@ -85,18 +85,17 @@ class FiniteImpact {
 
   // Calls action for every number that must be saved between steps.
   template <class Action>
-  void for_each_kept(Action action) {
+  void visit_saved(Action action) {
     for (double* x : {&active_, &touch_, &middle_, &end_, &closes_, &power_at_end_}) action(*x);
     for (double& x : impulse_) action(x);
     for (auto* values : {&q_, &v_, &after_compression_, &after_, &end_q_, &end_v_, &end_a_}) {
       for (double& x : *values) action(x);
     }
   }
-  static std::size_t count_kept(const Model& model) {  // how many they are
-    return 10 + 7 * static_cast<std::size_t>(model.nq());
-  }
 
  private:
+  // The only contact of the model.
+  const ContactParameters& contact() const { return *model_->auxiliary[0].contact; }
   double power(double t, const double* q, const double* v, const Eigen::Vector2d& command) const;
   void land();
 
@@ -110,7 +109,7 @@ class FiniteImpact {
   std::vector<double> q_, v_, after_compression_, after_;
   std::vector<double> end_q_, end_v_, end_a_;  // at the end
   std::vector<double> force_, acceleration_;   // by the loads at the touch
-  mutable std::vector<double> room_, room_v_;
+  mutable std::vector<double> scratch_q_, scratch_v_;
   Impact record_{};
   bool inside_ = false;
   double external_work_ = 0.0, landing_work_ = 0.0, power_at_touch_ = 0.0, power_at_end_ = 0.0;

@@ -1,28 +1,15 @@
-// All loads of (9) in one list, which the right-hand sides, the steps and the matrices share. The
-// forces of contacts and actuators are separate (equations.h, model/actuation.h), and so are the
-// diagonal terms and the weight.
+// The loads of (9) that the right-hand sides (dynamics.cc), the steps (stepping/load_kick.h) and
+// the matrices (linear_parts.h) share. The forces of contacts and actuators are separate
+// (equations.h, model/actuation.h), and so are the diagonal terms and the weight.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "native_model/model/dynamics.h"
 #include "native_model/model/feedback_equations.h"
 
 namespace rotorub::equations {
-
-// Forces on rings beyond springs and dampers to the base (dynamics.h).
-inline void add_supports(const Model& m, const double* q, const double* v, double* f) {
-  if (!m.supports.empty()) add_ring_supports(m, q, v, f);
-}
-
-// As above, for a step of length h (s) from the velocities `start`. The motion of the bristles
-// within the step is computed exactly, because it may be fast.
-inline void add_supports(const Model& m, const double* q, const double* v, const double* start,
-                         double h, double* f) {
-  if (m.supports.empty()) return;
-  add_ring_supports(m, q, v, f);
-  step_bristles(m, v, start, h, f);
-}
 
 // f += all loads that are linear in (q, v) at a spin speed omega (rad/s), except the diagonal terms
 // and the gyroscopic moments: rotating damping, dashpots, films, springs and the laws of magnetic
@@ -74,29 +61,16 @@ inline void add_forces(const Model& m, double t, const double* q, double* f) {
   }
 }
 
-// The instant at which loads are evaluated, besides (q, v).
-struct LoadInstant {
-  double t;                  // s, for the motor's torque
-  const double* working;     // see add_linear_loads
-  const DiscAngles& angles;  // of the eccentric discs, if there are any
-};
-
-// Whether add_loads adds the gyroscopic moments. In a step they are among the other loads; a
-// right-hand side adds them itself, last. The order affects the last bits of the sum.
-enum class Gyroscopics { kAmong, kLeftOut };
-
-// f += all loads of the list. forces(f) adds the loads of [[force]] and of the base, which a step
-// averages over its length.
-template <Gyroscopics kGyroscopics, class Forces>
-inline void add_loads(const Model& m, const LoadInstant& at, const double* q, const double* v,
-                      const Forces& forces, double* f) {
-  const double omega = equations::spin_speed(m, v);
-  add_linear_loads(m, omega, at.working, q, v, f);
-  add_supports(m, q, v, f);
-  if constexpr (kGyroscopics == Gyroscopics::kAmong) add_gyroscopic(m, omega, v, f);
-  forces(f);
-  if (!m.unbalances.empty()) add_unbalance(m, at.angles, omega, f);
-  add_drive(m, at.t, q, v, f);
+// Calls action(t) for each instant (s) at which a load may jump, in no order.
+template <class Action>
+void for_each_switch(const Model& m, const Action& action) {
+  for (const AppliedForce& force : m.forces) {
+    action(force.on);
+    action(force.off);
+  }
+  for (const DiscUnbalance& unbalance : m.unbalances) action(unbalance.on);
+  if (m.base) std::ranges::for_each(m.base->jumps(), action);
+  for (const StationFeedback& f : m.feedbacks) std::ranges::for_each(f.works.all(), action);
 }
 
 }  // namespace rotorub::equations

@@ -240,6 +240,8 @@ struct Model {
   Eigen::VectorXd q0, v0;          // initial state
   std::optional<ModeLines> lines;  // deflection lines for drawing
 
+  // With several auxiliary bearings each has a contact.
+  bool has_contact() const { return auxiliary.front().contact.has_value(); }
   // True if at least one contact is compliant.
   bool is_compliant() const {
     return std::any_of(auxiliary.begin(), auxiliary.end(),
@@ -247,11 +249,6 @@ struct Model {
   }
   // True if unbalance couples spin and bending, which needs a free spin.
   bool coupled_mass() const { return layout.spin == 1 && !unbalances.empty(); }
-  // N m, for a model with a drive, at an angle (rad, turned since t = 0) and a speed of the motor
-  // (rad/s).
-  double drive_torque(double t, double angle, double motor_speed) const {
-    return drive->torque(t, angle, motor_speed);
-  }
   // rad/s, spin speed if a motor holds it, which then exchanges work at the contacts too; otherwise
   // 0.
   double prescribed_spin() const { return layout.spin ? 0.0 : speed; }

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "native_model/contact/most_contacts.h"
+#include "native_model/contact/contact_list.h"
 #include "native_model/event/contact_state.h"
 #include "native_model/event/parameters.h"
 #include "native_model/model/model.h"

@@ -24,7 +24,7 @@ class Follower {
   void meet(const Snapshot& now) {
     for (std::size_t k = 0; k < figures_.size(); ++k) {
       ContactFigures& f = figures_[k];
-      f.largest_force = std::max(f.largest_force, now.at(k).normal_force);
+      f.largest_force = std::max(f.largest_force, now.contacts[k].normal_force);
       f.amplitude = std::max(f.amplitude, rotor_point(*model_, now.q, k).norm());
       const Eigen::Vector2d d = separation(*model_, now.q, k);
       if (last_.size() == k) last_.push_back(d);

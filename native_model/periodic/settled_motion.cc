@@ -206,7 +206,7 @@ SettledMotion settled_motion(const Model& m, const State& start, const SettlingP
     if (k == 0) {
       run.begin(start, end, recorder);
     } else {
-      run.put_off_end(end);
+      run.extend_end(end);
     }
     while (!check.is_exhausted() && run.look_ahead()) {
       run.pass();

@@ -100,8 +100,9 @@ void put(const Complex& place, double whirl, Model& model, int x, int y) {
 // Sets the twist by the motor at one station and by friction at another.
 void twist(const SteadyRub& rub, Model& m) {
   const Layout& l = m.layout;
-  const double friction = m.first().contact->radius * rub.friction * rub.normal_force;
-  Eigen::VectorXd torque = -friction * m.first().torsion_shape;
+  const AuxiliaryBearing& at = m.first();
+  const double friction = at.contact->radius * rub.friction * rub.normal_force;
+  Eigen::VectorXd torque = -friction * at.torsion_shape;
   if (m.drive) torque += m.drive->torque(0.0, 0.0, m.speed) * m.drive_shape;
   m.q0.segment(l.theta(), l.torsion) =
       torque.cwiseQuotient(m.stiffness.segment(l.theta(), l.torsion));
@@ -124,10 +125,9 @@ void put(const scene::Scene& scene, const RubSystem& system, Model& m) {
   for (int k = 0; k < l.modes; ++k) {
     put(direction * rub.rotor[k], rub.whirl, m, l.x() + k, l.y() + k);
   }
-  if (m.first().moves()) {
-    put(direction * rub.ring, rub.whirl, m, m.first().ring, m.first().ring + 1);
-  }
-  if (m.first().turns()) m.v0[m.first().ring_angle] = rub.ring_speed;
+  const AuxiliaryBearing& at = m.first();
+  if (at.moves()) put(direction * rub.ring, rub.whirl, m, at.ring, at.ring + 1);
+  if (at.turns()) m.v0[at.ring_angle] = rub.ring_speed;
   if (l.torsion > 0 && scene.initial.torsion.empty()) twist(rub, m);
 }
 

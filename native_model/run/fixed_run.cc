@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -22,16 +21,16 @@ namespace rotorub {
 namespace {
 
 // A state that the run has reached.
-struct Reached {
+struct StateAt {
   double t;  // s
   const double *q, *v;
 };
 
-// The impacts of a step, kept until after the next one.
-struct Hits {
+// The impacts of a step, which are counted after the next one.
+struct PendingImpacts {
   std::vector<Impact> impacts;
   double work = 0.0, lasts = 0.0;  // J; s: the duration of an impact that takes time
-  explicit Hits(std::size_t most) { impacts.reserve(most); }
+  explicit PendingImpacts(std::size_t most) { impacts.reserve(most); }
   void keep(const FixedStep& done) {
     impacts.assign(done.impacts.begin(), done.impacts.end());
     work = done.impact_work;
@@ -54,9 +53,8 @@ class FixedRun {
         commands_(model, *stepper_, step),
         points_(contacts_),
         last_points_(contacts_),
-        others_(contacts_ - 1),
+        shown_(contacts_),
         message_(step_refusal(model, step)) {
-    now_.others = others_;
     episodes_.resize(contacts_);
     for (std::size_t i = 0; i < contacts_; ++i) {
       if (model.auxiliary[i].is_compliant()) episodes_[i].emplace(recorder_, static_cast<int>(i));
@@ -65,20 +63,14 @@ class FixedRun {
     if (contacts_ > 1) recorder_.statistics().contacts.resize(contacts_);
   }
 
-  Trajectory go(const char* name) {
-    const auto start = std::chrono::steady_clock::now();
-    const std::int64_t taken = stepper_->leaps() ? leap() : walk();
-    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  Trajectory take_all_steps() {
+    const std::int64_t taken = stepper_->leaps() ? take_leapfrog_steps() : take_plain_steps();
     for (std::optional<ContactEpisodes>& episode : episodes_) {
       if (episode) episode->finish();
     }
     Trajectory out = recorder_.finish(good() ? end_ : time(taken));
-    out.engine = "native";
-    out.integrator = name;
-    out.contact_model = native_contact_model(model_);
     out.step = step_;
     out.steps = taken;
-    out.wall_s = wall.count();
     out.status = status_;
     out.message = message_;
     return out;
@@ -101,13 +93,13 @@ class FixedRun {
   }
 
   // For steps that yield the state at their end; returns the number of steps taken.
-  std::int64_t walk() {
+  std::int64_t take_plain_steps() {
     commands_.hold(0);
-    listen();
+    check_controllers();
     begin({}, 1.0);
     for (std::int64_t k = 0; k < steps_; ++k) {
       commands_.hold(k);
-      listen();
+      check_controllers();
       if (!good()) return k;
       const FixedStep done = take_step(k);
       if (done.status != Status::kOk) {
@@ -115,11 +107,11 @@ class FixedRun {
         return k;
       }
       add_impacts(done.impacts);
-      const Reached now = reach(time(k + 1), stepper_->q(), stepper_->v());
+      const StateAt now = observe(time(k + 1), stepper_->q(), stepper_->v());
       count_lasting(done, time(k), 1.0, step_);
       count_impacts(done.impacts, done.impact_work, step_, time(k));
       advance(now, done, step_, !done.impacts.empty());
-      tick(k);
+      report_progress(k);
       if (!good()) return k + 1;
     }
     return steps_;
@@ -128,13 +120,13 @@ class FixedRun {
   // For leapfrog steps, where the state at t_k is known only after step k: the recorder is one step
   // behind, and the impacts of step k belong to the next state. One step beyond the end gives the
   // velocities at the end; half of the work of its loads counts.
-  std::int64_t leap() {
-    Hits hits(contacts_ * contacts_ * kMostImpacts);
+  std::int64_t take_leapfrog_steps() {
+    PendingImpacts last(contacts_ * contacts_ * kMostImpacts);
     std::int64_t k = 0;
     for (; k <= steps_ && good(); ++k) {
       const double t = time(k), kick = k == 0 ? 0.5 * step_ : step_;
       commands_.mean_about(k);
-      listen();
+      check_controllers();
       if (!good()) {
         if (k == 0) begin({}, 1.0);
         break;
@@ -147,30 +139,30 @@ class FixedRun {
       }
       if (k == 0) begin(done, kick);
       // Half of a step's effect lies before t_k and half after; all of the first step's lies after.
-      const Reached now = reach(t, stepper_->last_q(), stepper_->last_velocity());
+      const StateAt now = observe(t, stepper_->last_q(), stepper_->last_velocity());
       // Impacts separate the two halves.
-      const bool whole = k > 0 && k < steps_ && hits.impacts.empty() && done.impacts.empty();
+      const bool whole = k > 0 && k < steps_ && last.impacts.empty() && done.impacts.empty();
       if (whole) {
         count_lasting(done, t, 1.0, step_);
         advance(now, done, kick, false);
       } else if (k > 0) {
         count_lasting(done, t, 0.5, 0.5 * step_);
-        if (!hits.impacts.empty()) {
-          count_impacts(hits.impacts, hits.work, hits.lasts > 0.0 ? hits.lasts : step_,
-                        hits.impacts.front().t);
+        if (!last.impacts.empty()) {
+          count_impacts(last.impacts, last.work, last.lasts > 0.0 ? last.lasts : step_,
+                        last.impacts.front().t);
         }
-        advance(now, done, kick, !hits.impacts.empty());
+        advance(now, done, kick, !last.impacts.empty());
       }
       if (!whole && k < steps_) count_lasting(done, t, k == 0 ? 1.0 : 0.5, 0.5 * step_);
-      hits.keep(done);
+      last.keep(done);
       if (k < steps_) add_impacts(done.impacts);
-      tick(k);
+      report_progress(k);
     }
     return std::min(k, steps_);
   }
 
   // ------------------------------------------------------------------ what is recorded
-  Reached reach(double t, const double* q, const double* v) {
+  StateAt observe(double t, const double* q, const double* v) {
     last_points_.swap(points_);
     for (std::size_t i = 0; i < contacts_; ++i) {
       if (model_.auxiliary[i].contact) points_[i] = contact_point(model_, q, v, i);
@@ -178,31 +170,27 @@ class FixedRun {
     return {t, q, v};
   }
 
-  // Writes into now_ the state and, as their impulses over `kick` (s), the forces of lasting
-  // contact, plus the force of an impact that takes time; other impacts do not contribute. row:
-  // whether the actuators are shown.
-  const Snapshot& snapshot(const Reached& at, const FixedStep& done, double kick, bool row) {
+  // The state and, as their impulses over `kick` (s), the forces of lasting contact, plus the force
+  // of an impact that takes time; other impacts do not contribute. row: whether the actuators are
+  // shown. Valid until the next call.
+  Snapshot snapshot(const StateAt& at, const FixedStep& done, double kick, bool row) {
     const double scale = 1.0 / kick;
-    now_.t = at.t;
-    now_.q = at.q;
-    now_.v = at.v;
-    for (std::size_t i = 0; i < 1 + done.others.size(); ++i) {
-      ContactSnapshot& shown = i == 0 ? now_ : others_[i - 1];
-      const ContactStep& did = done.at(i);
-      shown.normal_force = scale * did.lasting.x() + did.impact_force.x();
-      shown.friction_force = scale * did.lasting.y() + did.impact_force.y();
-      shown.mode = did.mode;
+    for (std::size_t i = 0; i < done.contacts.size(); ++i) {
+      const ContactStep& did = done.contacts[i];
+      shown_[i].normal_force = scale * did.lasting.x() + did.impact_force.x();
+      shown_[i].friction_force = scale * did.lasting.y() + did.impact_force.y();
+      shown_[i].mode = did.mode;
     }
     for (std::size_t i = 0; row && i < contacts_; ++i) {
-      ActuatorState& actuator = (i == 0 ? now_ : others_[i - 1]).actuator;
+      ActuatorState& actuator = shown_[i].actuator;
       actuator = actuator_state(model_, at.q, at.v, commands_.shown(i), i);
       actuator.outputs = commands_.outputs(i);
     }
-    return now_;
+    return {at.t, at.q, at.v, shown_};
   }
 
   void begin(const FixedStep& done, double kick) {
-    const Reached start{0.0, model_.q0.data(), model_.v0.data()};
+    const StateAt start{0.0, model_.q0.data(), model_.v0.data()};
     recorder_.begin(snapshot(start, done, kick, true));
     note_contacts(0.0, done, kick, false);
   }
@@ -214,8 +202,8 @@ class FixedRun {
     f.h = lasts;
     f.contact_work = share * (done.contact_work - done.impact_work);
     f.external_work = share * done.external_work;
-    for (std::size_t i = 0; i < contacts_; ++i) {
-      const Eigen::Vector2d did = share * done.at(i).lasting;
+    for (std::size_t i = 0; i < done.contacts.size(); ++i) {
+      const Eigen::Vector2d did = share * done.contacts[i].lasting;
       if (!(did.x() > 0.0)) continue;
       const double work = did.y() * points_[i].slip;
       f.normal_impulse += did.x();
@@ -252,22 +240,21 @@ class FixedRun {
 
   // Records the next state with the forces of `done`. impact: whether there was one since the last
   // state.
-  void advance(const Reached& now, const FixedStep& done, double kick, bool impact) {
+  void advance(const StateAt& now, const FixedStep& done, double kick, bool impact) {
     note_contacts(now.t, done, kick, true);
     recorder_.advance(snapshot(now, done, kick, recorder_.row_due(now.t)), points_[0], impact);
     for (std::size_t i = 0; contacts_ > 1 && i < contacts_; ++i) {
       recorder_.watch_gap(i, points_[i]);
     }
-    const AuxiliaryBearing& first = model_.first();
-    const bool inside = first.contact && contacts_ == 1 && recorder_.penetration() == 0.0;
-    if (inside && !first.magnets) return;
+    const bool inside = contacts_ == 1 && model_.has_contact() && recorder_.penetration() == 0.0;
+    if (inside && !model_.auxiliary[0].magnets) return;
     if (const auto why = out_of_range(model_, now.q)) fail(Status::kOutOfRange, now.t, *why);
   }
   // Notes events of rigid contacts and the episodes of compliant ones, which start after the run
   // has begun.
   void note_contacts(double t, const FixedStep& done, double kick, bool begun) {
-    for (std::size_t i = 0; i < 1 + done.others.size(); ++i) {
-      const ContactStep& did = done.at(i);
+    for (std::size_t i = 0; i < done.contacts.size(); ++i) {
+      const ContactStep& did = done.contacts[i];
       const int contact = static_cast<int>(i);
       if (episodes_[i] && !begun) continue;
       if (did.reversed) recorder_.add(Event{t, EventKind::kReverse, contact});
@@ -281,7 +268,7 @@ class FixedRun {
     }
   }
 
-  void listen() {
+  void check_controllers() {
     if (!commands_.failure().empty()) controller_failed(commands_.failure());
   }
   // why: must include the time.
@@ -295,7 +282,7 @@ class FixedRun {
     status_ = status;
     message_ = why + " at t = " + std::to_string(t) + " s";
   }
-  void tick(std::int64_t k) {
+  void report_progress(std::int64_t k) {
     // At every step, because a controller may take long.
     if (options_.interrupt && options_.interrupt->load(std::memory_order_relaxed)) {
       fail(Status::kInterrupted, time(k), status_reason(Status::kInterrupted));
@@ -314,8 +301,7 @@ class FixedRun {
   StepCommands commands_;
   std::vector<ContactPoint> points_, last_points_;        // at the last state and the one before it
   std::vector<std::optional<ContactEpisodes>> episodes_;  // for compliant contacts
-  std::vector<ContactSnapshot> others_;                   // of now_
-  Snapshot now_;                                          // the last state that was recorded
+  std::vector<ContactSnapshot> shown_;                    // of the last snapshot
   std::array<Mode, kMaxContacts> modes_{};
   std::string message_;
   Status status_ = Status::kOk;
@@ -325,8 +311,7 @@ class FixedRun {
 
 Trajectory run_fixed(scene::Integrator integrator, const Model& model, const scene::Run& run,
                      double step, const NativeOptions& options) {
-  const char* name = integrator == scene::Integrator::kVerlet ? "verlet" : "euler";
-  return FixedRun(integrator, model, run, step, options).go(name);
+  return FixedRun(integrator, model, run, step, options).take_all_steps();
 }
 
 }  // namespace rotorub

@@ -6,11 +6,8 @@
 
 namespace rotorub {
 
-inline const char* native_contact_model(const Model& model) {
-  return model.is_compliant() ? "compliant" : "rigid";
-}
-
-// integrator: kEuler or kVerlet; step: s, > 0.
+// integrator: kEuler or kVerlet; step: s, > 0. Leaves the names and the time of computation of the
+// trajectory to run_native.
 Trajectory run_fixed(scene::Integrator integrator, const Model& model, const scene::Run& run,
                      double step, const NativeOptions& options);
 

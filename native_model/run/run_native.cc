@@ -13,6 +13,8 @@
 namespace rotorub {
 namespace {
 
+constexpr const char* kIntegratorNames[] = {"event", "verlet", "euler"};  // of scene::Integrator
+
 Trajectory run_event(const Model& model, const scene::Run& run, const NativeOptions& options) {
   Recorder recorder(model, options.output_times.value_or(output_times(run)),
                     kWindowSteps * run.step);
@@ -26,16 +28,10 @@ Trajectory run_event(const Model& model, const scene::Run& run, const NativeOpti
     settings.force_bin = std::max(options.step.value_or(run.step), run.end / kMostBins);
   }
   EventIntegrator integrator(model, settings);
-  const auto start = std::chrono::steady_clock::now();
   const EventIntegrator::Result result =
       integrator.run(initial_state(model), run.end, recorder, options.progress, options.interrupt);
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   Trajectory out = recorder.finish(result.end);
-  out.engine = "native";
-  out.integrator = "event";
-  out.contact_model = native_contact_model(model);
   out.steps = result.steps;
-  out.wall_s = wall.count();
   out.status = result.status;
   out.message = result.message;
   return out;
@@ -48,16 +44,24 @@ Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {
   const double step = options.step.value_or(scene.run.step);
   const scene::Integrator integrator = options.integrator.value_or(scene.run.integrator);
   const std::vector<double>* times = options.output_times ? &*options.output_times : nullptr;
-  if (integrator == scene::Integrator::kEvent) {
-    check_run_size(scene, model, std::nullopt, times);
-    return run_event(model, scene.run, options);
+  const bool fixed = integrator != scene::Integrator::kEvent;
+  check_run_size(scene, model, fixed ? std::optional(step) : std::nullopt, times);
+  if (fixed) {
+    refuse_compliance(scene, integrator);
+    refuse_finite_impacts(scene, integrator == scene::Integrator::kVerlet
+                                     ? FiniteImpacts::kUnsampled
+                                     : FiniteImpacts::kNone);
+    refuse_lag_with_several(scene, model);
   }
-  check_run_size(scene, model, step, times);
-  refuse_compliance(scene, integrator);
-  refuse_finite_impacts(scene, integrator == scene::Integrator::kVerlet ? FiniteImpacts::kUnsampled
-                                                                        : FiniteImpacts::kNone);
-  refuse_lag_with_several(scene, model);
-  return run_fixed(integrator, model, scene.run, step, options);
+  const auto start = std::chrono::steady_clock::now();
+  Trajectory out = fixed ? run_fixed(integrator, model, scene.run, step, options)
+                         : run_event(model, scene.run, options);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  out.engine = "native";
+  out.integrator = kIntegratorNames[static_cast<int>(integrator)];
+  out.contact_model = model.is_compliant() ? "compliant" : "rigid";
+  out.wall_s = wall.count();
+  return out;
 }
 
 }  // namespace rotorub

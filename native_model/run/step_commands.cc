@@ -6,11 +6,11 @@ namespace rotorub {
 namespace {
 
 // First jump of a recorded command within begin..end, s.
-CommandJump first_command_jump(const CommandRecord& told, double begin, double end) {
-  const std::vector<double>& jumps = told.jumps();
+CommandJump first_command_jump(const CommandRecord& record, double begin, double end) {
+  const std::vector<double>& jumps = record.jumps();
   const auto next = std::upper_bound(jumps.begin(), jumps.end(), begin);
   if (next == jumps.end() || *next >= end) return {};
-  return {(*next - begin) / (end - begin), told.mean(begin, *next), told.mean(*next, end)};
+  return {(*next - begin) / (end - begin), record.mean(begin, *next), record.mean(*next, end)};
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ void StepCommands::hold(std::int64_t k) {
     command_[i] =
         recorded ? recorded->mean(t, time(k + 1)) : holds_[i].at(t, stepper_.q(), stepper_.v());
     shown_[i] = command_[i];
-    listen(holds_[i]);
+    note_failure(holds_[i]);
   }
 }
 
@@ -51,14 +51,14 @@ void StepCommands::mean_about(std::int64_t k) {
       command_[i] = shown_[i] = recorded->mean(begin, end);
       continue;
     }
-    if (!holds_[i].listens(end)) continue;
+    if (!holds_[i].needs_state(end)) continue;
     if (!known) find_velocities(k);
     known = true;
     command_[i] =
         holds_[i].mean(begin, t, end, stepper_.q(), velocity_.data(), acceleration_.data());
     shown_[i] = holds_[i].held();
     stepper_.announce_command_jump(i, holds_[i].command_jump());
-    listen(holds_[i]);
+    note_failure(holds_[i]);
   }
 }
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "native_model/contact/most_contacts.h"
+#include "native_model/contact/contact_list.h"
 #include "native_model/model/model.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
@@ -42,12 +42,12 @@ class StepCommands {
     all.fill(Eigen::Vector2d(0.0, 0.0));
     return all;
   }
-  std::span<const Eigen::Vector2d> all(const Commands& of) const {
-    return std::span(of).first(holds_.size());
+  std::span<const Eigen::Vector2d> all(const Commands& commands) const {
+    return std::span(commands).first(holds_.size());
   }
   double time(std::int64_t k) const { return static_cast<double>(k) * step_; }
   void find_velocities(std::int64_t k);
-  void listen(const ZeroOrderHold& hold) {
+  void note_failure(const ZeroOrderHold& hold) {
     if (failure_.empty()) failure_ = hold.failure();
   }
 

@@ -48,15 +48,13 @@ std::string of_bearing(const StationFeedback& bearing, const std::string& name) 
 struct StepwiseRun::Saved {
   std::shared_ptr<const EventIntegrator::Moving> moving;
   Recorder recorder;
-  std::vector<double> given, taken, values;
-  double t, end, impacts;
-  bool new_inputs, event_waits, known;
+  Now now;
 };
 
 StepwiseRun::StepwiseRun(const scene::Scene& scene)
-    : model_(with_inputs(checked(scene))), recorder_(model_, {}), integrator_(model_) {
+    : model_(model_with_inputs(checked(scene))), recorder_(model_, {}), integrator_(model_) {
   find_outputs();
-  given_.assign(inputs_.size(), 0.0);
+  now_.given.assign(inputs_.size(), 0.0);
   begin(scene.run.end);
 }
 
@@ -66,7 +64,7 @@ void StepwiseRun::add_vector(const std::string& name, const char* unit,
     inputs_.push_back({name + "_" + axis, unit, meaning + " along " + axis});
 }
 
-Model StepwiseRun::with_inputs(const scene::Scene& scene) {
+Model StepwiseRun::model_with_inputs(const scene::Scene& scene) {
   Model model = prepare(scene);
   for (std::size_t k = 0; k < model.auxiliary.size(); ++k) {
     AuxiliaryBearing& at = model.auxiliary[k];
@@ -88,9 +86,9 @@ Model StepwiseRun::with_inputs(const scene::Scene& scene) {
   }
   for (SampledFeedback& sampler : model.samplers) {
     if (!sampler.library) continue;
-    auto told = std::make_shared<std::vector<double>>(2 * sampler.bearings.size());
-    sampler.library = std::make_shared<const MagneticLibrary>(told);
-    currents_.push_back(std::move(told));
+    auto currents = std::make_shared<std::vector<double>>(2 * sampler.bearings.size());
+    sampler.library = std::make_shared<const MagneticLibrary>(currents);
+    currents_.push_back(std::move(currents));
     for (const std::size_t k : sampler.bearings)
       add_vector(of_bearing(model.feedbacks[k], "command"), "A",
                  "control current of the magnetic bearing, commanded for its next sample,");
@@ -137,13 +135,13 @@ void StepwiseRun::find_outputs() {
 }
 
 void StepwiseRun::set_input(std::size_t input, double value) {
-  if (given_[input] == value) return;
-  given_[input] = value;
-  new_inputs_ = true;
+  if (now_.given[input] == value) return;
+  now_.given[input] = value;
+  now_.new_inputs = true;
 }
 
-void StepwiseRun::give_inputs() {
-  const double* from = given_.data();
+void StepwiseRun::apply_inputs() {
+  const double* from = now_.given.data();
   const auto next = [&from] {
     const Eigen::Vector2d pair(from[0], from[1]);
     from += 2;
@@ -158,61 +156,61 @@ void StepwiseRun::give_inputs() {
                      : std::isinf(at.force_limit) ? asked
                                                   : limited(asked, at.force_limit));
   }
-  for (const auto& told : currents_) {
-    std::copy_n(from, told->size(), told->begin());
-    from += told->size();
+  for (const auto& currents : currents_) {
+    std::copy_n(from, currents->size(), currents->begin());
+    from += currents->size();
   }
   for (std::size_t k = first_load_; k < model_.forces.size(); ++k) model_.forces[k].vector = next();
-  taken_ = given_;
-  new_inputs_ = false;
+  now_.in_effect = now_.given;
+  now_.new_inputs = false;
 }
 
 void StepwiseRun::begin(double end) {
-  give_inputs();
-  end_ = end;
-  t_ = impacts_ = 0.0;
-  event_waits_ = known_ = false;
+  apply_inputs();
+  now_.end = end;
+  now_.t = now_.impacts = 0.0;
+  now_.event_waits = now_.known = false;
   recorder_ = Recorder(model_, {});
-  integrator_.begin(initial_state(model_), end_, recorder_);
+  integrator_.begin(initial_state(model_), now_.end, recorder_);
   count_impacts();
 }
 
 // Counts the impacts since the last call, which emptied the recorder.
 void StepwiseRun::count_impacts() {
-  for (const Impact& impact : recorder_.finish(t_).impacts)
-    impacts_ += impact.gap_rate_before < kCountedGapRate ? 1.0 : 0.0;
+  const std::vector<Impact> impacts = recorder_.finish(now_.t).impacts;
+  now_.impacts += static_cast<double>(std::ranges::count_if(impacts, counts));
 }
 
 // Applies new inputs at the present time and discards what was computed beyond it.
-bool StepwiseRun::take_inputs() {
-  if (!new_inputs_) return good();
-  known_ = false;
-  integrator_.cut(t_, [this] { give_inputs(); });
+bool StepwiseRun::apply_new_inputs() {
+  if (!now_.new_inputs) return good();
+  now_.known = false;
+  integrator_.cut(now_.t, [this] { apply_inputs(); });
   return good();
 }
 
 bool StepwiseRun::pass_event() {
-  if (!event_waits_) return good();
-  event_waits_ = known_ = false;
+  if (!now_.event_waits) return good();
+  now_.event_waits = now_.known = false;
   integrator_.pass();
   count_impacts();
   return good();
 }
 
 bool StepwiseRun::advance(double to, bool events) {
-  if (!pass_event() || !take_inputs()) return false;
-  known_ = false;
-  if (to > end_) {
-    end_ = std::max(to, 2.0 * end_);
-    integrator_.put_off_end(end_);
+  if (!pass_event() || !apply_new_inputs()) return false;
+  now_.known = false;
+  if (to > now_.end) {
+    now_.end = std::max(to, 2.0 * now_.end);
+    integrator_.extend_end(now_.end);
   }
-  t_ = to;
+  now_.t = to;
   while (integrator_.now() < to) {
     if (!integrator_.look_ahead()) return false;
     if (integrator_.stretch_end() > to) return true;
     if (events && integrator_.ends_in_event()) {
-      t_ = integrator_.stretch_end();
-      event_waits_ = true;
+      now_.t = integrator_.stretch_end();
+      now_.event_waits = true;
       return true;
     }
     integrator_.pass();
@@ -223,50 +221,42 @@ bool StepwiseRun::advance(double to, bool events) {
 }
 
 const std::vector<double>& StepwiseRun::now() {
-  if (!event_waits_) take_inputs();
-  if (!known_) put(integrator_.now() < t_ ? integrator_.within(t_) : integrator_.here());
-  known_ = true;
-  return values_;
+  if (!now_.event_waits) apply_new_inputs();
+  if (!now_.known)
+    put(integrator_.now() < now_.t ? integrator_.within(now_.t) : integrator_.here());
+  now_.known = true;
+  return now_.values;
 }
 
 void StepwiseRun::put(const Snapshot& at) {
   for (Column& column : row_) column.values.clear();
-  put_row(model_, t_, at, row_);
-  values_.clear();
+  put_row(model_, now_.t, at, row_);
+  now_.values.clear();
   for (const Column& column : row_) {
-    if (column.name != "t") values_.push_back(column.values.front());
+    if (column.name != "t") now_.values.push_back(column.values.front());
   }
   for (const StationFeedback& bearing : model_.feedbacks) {
     const auto deflection =
         equations::at_station(model_.layout.modes, bearing.sensor_shape(), at.q);
-    values_.insert(values_.end(), {deflection.x, deflection.y});
+    now_.values.insert(now_.values.end(), {deflection.x, deflection.y});
   }
   for (std::size_t k = 0; k < model_.auxiliary.size(); ++k) {
-    if (model_.auxiliary[k].contact) values_.push_back(integrator_.normal_impulse(at, k));
+    if (model_.auxiliary[k].contact) now_.values.push_back(integrator_.normal_impulse(at, k));
   }
-  values_.push_back(impacts_);
+  now_.values.push_back(now_.impacts);
 }
 
 std::shared_ptr<const StepwiseRun::Saved> StepwiseRun::save() const {
-  return std::make_shared<const Saved>(Saved{integrator_.save(), recorder_, given_, taken_, values_,
-                                             t_, end_, impacts_, new_inputs_, event_waits_,
-                                             known_});
+  return std::make_shared<const Saved>(Saved{integrator_.save(), recorder_, now_});
 }
 
 // The integrator's observer keeps writing to the same recorder.
 void StepwiseRun::restore(const Saved& saved) {
-  given_ = saved.taken;
-  give_inputs();
-  given_ = saved.given;
-  new_inputs_ = saved.new_inputs;
+  now_.given = saved.now.in_effect;
+  apply_inputs();
   integrator_.restore(*saved.moving);
   recorder_ = saved.recorder;
-  values_ = saved.values;
-  t_ = saved.t;
-  end_ = saved.end;
-  impacts_ = saved.impacts;
-  event_waits_ = saved.event_waits;
-  known_ = saved.known;
+  now_ = saved.now;
 }
 
 }  // namespace rotorub

@@ -38,15 +38,15 @@ class StepwiseRun {
 
   // Takes effect from the present time on, at the next now() or advance().
   void set_input(std::size_t input, double value);
-  double input(std::size_t input) const { return given_[input]; }
+  double input(std::size_t input) const { return now_.given[input]; }
 
   // Starts at t = 0 with the present inputs. end: s, > 0; advance() may go beyond it.
   void begin(double end);
-  double time() const { return t_; }  // s
+  double time() const { return now_.t; }  // s
   // Advances to the time `to`, s; with `events`, at most to the next event, which then waits for
   // pass_event(). Returns false if the run has failed, see status().
   bool advance(double to, bool events = false);
-  bool event_waits() const { return event_waits_; }
+  bool event_waits() const { return now_.event_waits; }
   bool pass_event();
   // The outputs at the present time, before a waiting event.
   const std::vector<double>& now();
@@ -59,11 +59,11 @@ class StepwiseRun {
   void restore(const Saved& saved);
 
  private:
-  Model with_inputs(const scene::Scene& scene);
+  Model model_with_inputs(const scene::Scene& scene);
   void find_outputs();
   void add_vector(const std::string& name, const char* unit, const std::string& meaning);
-  void give_inputs();
-  bool take_inputs();
+  void apply_inputs();
+  bool apply_new_inputs();
   void count_impacts();
   void put(const Snapshot& at);
   bool good() const { return status() == Status::kOk; }
@@ -77,12 +77,16 @@ class StepwiseRun {
   Model model_;                 // built with its inputs before others refer to it
   Recorder recorder_;
   EventIntegrator integrator_;
-  std::vector<double> given_, taken_;  // inputs as set, and those in effect
   std::vector<Column> row_;
-  std::vector<double> values_;
-  double t_ = 0.0, end_ = 0.0;  // s
-  double impacts_ = 0.0;
-  bool new_inputs_ = false, event_waits_ = false, known_ = false;
+  struct Now {
+    std::vector<double> given, in_effect;  // inputs as set, and those in effect
+    std::vector<double> values;            // of the outputs
+    double t = 0.0, end = 0.0;             // s
+    double impacts = 0.0;
+    bool new_inputs = false, event_waits = false;
+    bool known = false;  // the values belong to t
+  };
+  Now now_;
 };
 
 }  // namespace rotorub

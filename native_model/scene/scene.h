@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "native_model/contact/most_contacts.h"
+#include "native_model/contact/contact_list.h"
 #include "native_model/scene/auxiliary_bearing.h"
 #include "native_model/scene/drive.h"
 #include "native_model/scene/loads.h"

@@ -74,7 +74,7 @@ bool StepContacts::find_touches(StepState& state) {
 // without the contact's own force.
 void StepContacts::find_wall_impulses(std::size_t i, const Eigen::Vector3d& free) {
   Contact& c = contacts_[i];
-  ContactState& kept = states[i];
+  State& kept = states[i];
   const CompliantLaw& law = parameters(i).compliance;
   const double length = before_ + after_;
   const Eigen::Vector2d d = vector_of(c.d), first = d - before_ * c.start_rates.head<2>(),
@@ -166,7 +166,7 @@ void StepContacts::solve_one_compliant(std::size_t i, const Eigen::Vector3d& end
 void StepContacts::find_compliant_impulses(std::size_t i, const Eigen::Vector2d& before,
                                            const Eigen::Vector2d& after, const Delassus& g) {
   const Contact& c = contacts_[i];
-  ContactState& kept = states[i];
+  State& kept = states[i];
   const FrictionLaw& friction_law = parameters(i).friction;
   const double half = 0.5 * c.damper, bare = c.spring - half * (before.x() + after.x());
   // With T = t + ratio P.

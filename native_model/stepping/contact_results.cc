@@ -24,7 +24,7 @@ StepContacts::States StepContacts::second_part_start(const States& before,
 
 void StepContacts::join_parts(double share, double rest, const States& first, double kick_length) {
   for (std::size_t i = 0; i < count(); ++i) {
-    ContactState& c = states[i];
+    State& c = states[i];
     c.normal_at_end = c.normal / kick_length;
     c.friction_at_end = c.friction / kick_length;
     c.normal = share * first[i].normal + rest * c.normal;
@@ -42,7 +42,7 @@ void StepContacts::restore_whole_step(const States& mean) {
 void StepContacts::record_lasting() {
   has_results_ = true;
   for (std::size_t i = 0; i < count(); ++i) {
-    const ContactState& c = states[i];
+    const State& c = states[i];
     ContactStep& done = results_[i];
     done = {};
     if (!c.closed || !(c.normal > 0.0)) continue;
@@ -67,9 +67,9 @@ void StepContacts::add_impact(const Impact& impact, bool listed) {
   if (listed) impacts.push_back(impact);
 }
 
-void StepContacts::write_results(FixedStep& out) const {
-  static_cast<ContactStep&>(out) = results_[0];
-  out.others = std::span(results_).subspan(1);
+void StepContacts::write_results(const Eigen::Vector2d& impact_force, FixedStep& out) {
+  results_[0].impact_force = impact_force;
+  out.contacts = results_;
   out.impacts = impacts;
 }
 

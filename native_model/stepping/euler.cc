@@ -40,10 +40,9 @@ FixedStep EulerStepper::step(std::int64_t k, std::span<const Eigen::Vector2d> u,
   state_.v = free_;
   hits_.clear();
   std::fill(done_.begin(), done_.end(), ContactStep{});
-  const Status found = m.first().contact ? touch(t, start.v) : Status::kOk;
+  const Status found = m.has_contact() ? touch(t, start.v) : Status::kOk;
   FixedStep out;
-  static_cast<ContactStep&>(out) = done_[0];
-  out.others = std::span(done_).subspan(1);
+  out.contacts = done_;
   out.impacts = hits_;
   out.status = found == Status::kOk && !state_.v.allFinite() ? Status::kDiverged : found;
   if (out.status != Status::kOk) {

@@ -33,18 +33,15 @@ struct ContactStep {
   Eigen::Vector2d impact_force{0.0, 0.0};
 };
 
-struct FixedStep : ContactStep {  // the base is the first contact
+struct FixedStep {
   Status status = Status::kOk;
-  std::span<const ContactStep> others;  // further contacts; valid until the next call
-  std::span<const Impact> impacts;      // of all contacts, in order; valid until the next call
+  std::span<const ContactStep>
+      contacts;                     // one for each auxiliary bearing; valid until the next call
+  std::span<const Impact> impacts;  // of all contacts, in order; valid until the next call
   double impact_time = 0.0;  // s, duration of an impact that takes time and began in the step
   // J, if requested: work of contact on the coordinates, the part of it from impacts, and the work
   // of all forces except springs and contact.
   double contact_work = 0.0, impact_work = 0.0, external_work = 0.0;
-
-  const ContactStep& at(std::size_t contact) const {
-    return contact == 0 ? *this : others[contact - 1];
-  }
 };
 
 // The record of an impact with its change of energy, from its impulses (N s, normal and friction)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "native_model/model/actuation.h"
 #include "native_model/model/dynamics.h"
@@ -44,10 +43,9 @@ bool has_parts(const Model& m) {
            m.supports.empty());
 }
 
-bool commands_move_rings_alone(const Model& m) {
-  return m.supports.empty() && std::ranges::none_of(m.auxiliary, [](const AuxiliaryBearing& at) {
-           return at.magnets.has_value();
-         });
+bool has_magnets(const Model& m) {
+  return std::ranges::any_of(m.auxiliary,
+                             [](const AuxiliaryBearing& at) { return at.magnets.has_value(); });
 }
 
 // The value of a mode shape for bending coordinate i.
@@ -98,10 +96,10 @@ LoadKick::LoadKick(const Model& m, double h)
       matrix_(m, h),
       loads_(m, h),
       needs_iteration_(beyond_matrix(m)),
-      commanded_(m.first().moves() && m.first().commanded()),
+      commanded_(m.auxiliary[0].moves() && m.auxiliary[0].commanded()),
       parts_(has_parts(m)),
-      rings_by_actuators_(m.first().magnets || m.auxiliary.size() > 1),
-      commands_move_rings_alone_(commands_move_rings_alone(m)),
+      rings_by_actuators_(has_magnets(m) || m.auxiliary.size() > 1),
+      commands_move_rings_alone_(m.supports.empty() && !has_magnets(m)),
       samples_(!m.samplers.empty()),
       sampled_(samples_ ? static_cast<std::size_t>(m.layout.integrals) : 0),
       f_(static_cast<std::size_t>(m.nq())),
@@ -134,10 +132,11 @@ void LoadKick::find_round_off(double h) {
 // F(q_k, v): all loads except the contacts', with those of [[force]] as last advanced. kWorking
 // omits forces that the stored energy contains and forces that do no work (springs, gyroscopics,
 // unbalance of a free spin).
-ROTORUB_INLINE void LoadKick::force(const StepState& state, const double* v, double* f, Of of) {
+ROTORUB_INLINE void LoadKick::force(const StepState& state, const double* v, double* f,
+                                    Forces which) {
   const double* q = state.q_k.data();
   const double omega = eq::spin_speed(m_, v);
-  const bool all = of == Of::kAll;
+  const bool all = which == Forces::kAll;
   if (all) {
     eq::diagonal_force(m_, q, v, f);
   } else {
@@ -168,7 +167,10 @@ void LoadKick::add_parts(const StepState& state, const double* v, double omega, 
   eq::add_films(m_, omega, q, v, f);
   if (all) eq::add_springs(m_, q, f);
   eq::add_feedbacks(m_, working_.data(), q, v, f);
-  eq::add_supports(m_, q, v, state.v_start.data(), state.kick_length * state.h, f);
+  if (!m_.supports.empty()) {
+    add_ring_supports(m_, q, v, f);
+    step_bristles(m_, v, state.v_start.data(), kick_ * state.h, f);
+  }
   if (all) eq::add_gyroscopic(m_, omega, v, f);
 }
 
@@ -190,10 +192,8 @@ void LoadKick::free_velocity(StepState& state, std::int64_t k, double begin, dou
 }
 
 void LoadKick::free_velocity_of_part(StepState& state, double begin, double end) {
-  const double kick = std::exchange(state.kick_length, 1.0);
   loads_.weigh(begin, end);
   weighed_free_velocity(state, begin, end, false);
-  state.kick_length = kick;
   forget_forces();
 }
 
@@ -204,6 +204,7 @@ void LoadKick::weighed_free_velocity(StepState& state, double begin, double end,
   const double h = state.h;
   const double *q = state.q_k.data(), *start = state.v_start.data();
   forget_forces();
+  begin_iteration(1.0);
   double *free = state.v_free.data(), *after = state.v_end.data(), *f = f_.data();
   if (!m_.feedbacks.empty()) find_working(state, begin, end);
   if (loads_.synchronous()) loads_.turn_with(eq::spin_angle(m_, instant_, q));
@@ -251,14 +252,13 @@ double LoadKick::external_work(const StepState& state, const double* mean) {
     return state.h * (power + extra_power(m_, angles_, q, mean));
   }
   double* f = f_.data();
-  force(state, mean, f, Of::kWorking);
+  force(state, mean, f, Forces::kWorking);
   const double power = sum(mechanical, [=](int i) { return f[i] * mean[i]; });
   return state.h * (power - coupling_power(m_, q, mean));
 }
 
 // ------------------------------------------------------------------ the iteration
 void LoadKick::iterate(StepState& state) {
-  begin_iteration();
   while (iterate_once(state, state.v_free.data())) {
   }
   std::copy(state.v_free.begin(), state.v_free.end(), state.v_end.begin());
@@ -267,7 +267,7 @@ void LoadKick::iterate(StepState& state) {
 bool LoadKick::iterate_once(StepState& state, const double* end) {
   constexpr int kMostRounds = 20;
   const int nq = state.nq(), n = m_.layout.modes, phi = m_.layout.phi();
-  const double h = state.kick_length * state.h;
+  const double h = kick_ * state.h;
   const double *start = state.v_start.data(), *mass = m_.mass.data();
   double *f = f_.data(), *change = change_.data(), *free = state.v_free.data(),
          *last = last_end_.data();

@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-#include "native_model/contact/most_contacts.h"
+#include "native_model/contact/contact_list.h"
 #include "native_model/model/equations.h"
 #include "native_model/stepping/fixed_step.h"
 #include "native_model/stepping/step_state.h"
@@ -46,15 +46,12 @@ class LoadKick {
 
   // Calls action for every number that must be saved between steps.
   template <class Action>
-  void for_each_kept(Action& action) {
+  void visit_saved(Action& action) {
     for (std::size_t i = 0; coupled() && i < m_.unbalances.size(); ++i) {
       action(angles_.cosine[i]);
       action(angles_.sine[i]);
     }
-    loads_.for_each_kept(action);
-  }
-  static std::size_t count_kept(const Model& m) {  // number of these calls
-    return (m.coupled_mass() ? 2 * m.unbalances.size() : 0) + SteppedLoads::count_kept(m);
+    loads_.visit_saved(action);
   }
   // Call it when the step numbers start again, or after the saved numbers have been written.
   void forget() {
@@ -63,7 +60,8 @@ class LoadKick {
   }
 
   // Computes v_free, and v_end equal to it, from v_start: the velocities after the loads of step
-  // k, taken at the instant t and at q_k. The loads act from `begin` (s) to t + h/2.
+  // k, taken at the instant t and at q_k, have acted over h. Switched loads count as they act from
+  // `begin` (s) to t + h/2.
   // defer_iteration: omits the iteration, because iterate() or an iteration together with the
   // contact follows.
   void free_velocity(StepState& state, std::int64_t k, double begin, double t,
@@ -78,7 +76,11 @@ class LoadKick {
 
   // Iterates v_free; v_end is then equal to it.
   void iterate(StepState& state);
-  void begin_iteration() { rounds_ = 0; }
+  // kick: duration of the kick, in steps.
+  void begin_iteration(double kick) {
+    kick_ = kick;
+    rounds_ = 0;
+  }
   // One round of the iteration: v_free from the forces at the mean of v_start and `end`, the
   // velocities at the end of the step with contact. Returns false when it has converged or failed.
   bool iterate_once(StepState& state, const double* end);
@@ -97,8 +99,8 @@ class LoadKick {
  private:
   using Coordinates = StepState::Coordinates;
 
-  enum class Of { kAll, kWorking };
-  void force(const StepState& state, const double* v, double* f, Of of = Of::kAll);
+  enum class Forces { kAll, kWorking };
+  void force(const StepState& state, const double* v, double* f, Forces which = Forces::kAll);
   void add_parts(const StepState& state, const double* v, double omega, bool all, double* f) const;
   void add_ring_forces(const StepState& state, const double* v, double* f) const;
   void weighed_free_velocity(StepState& state, double begin, double end, bool defer_iteration);
@@ -139,6 +141,7 @@ class LoadKick {
   // q_i.
   Coordinates round_off_;
   double magnets_round_off_ = 0.0;
+  double kick_ = 1.0;  // duration of the kick that is being computed, in steps
   int rounds_ = 0;
   double instant_ = 0.0;  // s, instant of the loads
 };

@@ -3,7 +3,7 @@
 // the contacts, then solve().
 #pragma once
 
-#include <array>
+#include <span>
 
 #include "native_model/model/constraint.h"
 #include "native_model/stepping/step_contacts.h"
@@ -26,28 +26,30 @@ class SharedImpact {
   Status solve(const StepState& state, double t, double mass_time, const double* q, bool is_last,
                double* impulses);
 
-  std::size_t count() const { return count_; }
-  std::size_t contact_index(std::size_t i) const { return members_[i].index; }
-  // True if the i-th contact is closed after the impact.
-  bool stays_closed(std::size_t i) const { return stays_closed_[i]; }
+  // A contact that takes part.
+  struct Member {
+    std::size_t contact = 0;        // its index
+    Eigen::Vector2d e_r{1.0, 0.0};  // outward normal
+    bool lasted = false;            // it lasted until the impact
+    ImpactLaw law{};
+    double closing_acceleration = 0.0;  // m/s^2 (contact/impact.h)
+    bool stays_closed = false;          // after solve(): it is closed after the impact
+  };
+  std::span<const Member> members() const { return {members_.data(), members_.size()}; }
   double approach() const { return approach_; }  // m/s, the largest approach speed
   // True if the first contact flies for more than a step of h (s) after the impact.
-  bool rebounds(double h) const { return rebounds(0, h, approach_); }
+  bool rebounds(double h) const { return rebounds(members_[0], h, approach_); }
 
  private:
   // True if an impact at the speed `approach` (m/s) is followed by a flight (contact/impact.h)
   // longer than a step of h (s) and longer than the impact itself.
-  bool rebounds(std::size_t i, double h, double approach) const;
+  bool rebounds(const Member& member, double h, double approach) const;
+  CoupledSolution solve_with_laws(const ContactMatrix& g, const ContactVector& before) const;
 
   StepContacts* contacts_;
-  std::size_t count_ = 0;
   double approach_ = 0.0;
-  std::array<ClosedContact, kMaxContacts> members_{};
-  std::array<bool, kMaxContacts> lasted_{}, stays_closed_{};
-  std::array<ImpactLaw, kMaxContacts> laws_{};
-  std::array<double, kMaxContacts> closing_acceleration_{};  // m/s^2 (contact/impact.h)
+  ContactList<Member> members_;
   ContactVector before_ = ContactVector(2 * kMaxContacts);  // m/s, (gap rate, slip) of each contact
-  ContactMatrix delassus_;
 };
 
 }  // namespace rotorub

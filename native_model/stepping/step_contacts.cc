@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "native_model/contact/kinematics.h"
 #include "native_model/model/dynamics.h"
@@ -30,8 +29,7 @@ StepContacts::StepContacts(const StepState& state, LoadKick& loads)
     any_compliant_ = any_compliant_ || law.is_compliant();
     c.clearance = law.clearance;
     c.radius = law.radius;
-    c.friction = law.friction.is_constant() ? law.friction.coefficient
-                                            : std::numeric_limits<double>::quiet_NaN();
+    if (law.friction.is_constant()) c.friction = law.friction.coefficient;
     for (int axis = 0; axis < 3; ++axis) {
       double* column = c.column[static_cast<std::size_t>(axis)].data();
       add_contact_load(m_, Eigen::Vector3d::Unit(axis), column, j);
@@ -194,13 +192,13 @@ bool StepContacts::any_flight_ends(const StepState& state) const {
   return false;
 }
 
-// Solves one rigid contact that slides on as in the step before, in closed form; returns false if
-// it does not. See contact/lasting_contacts.h.
+// Solves one rigid contact with a constant mu that slides on as in the step before, in closed form;
+// returns false if it does not. See contact/lasting_contacts.h.
 ROTORUB_INLINE bool StepContacts::try_sliding_on(std::size_t i, const double* free) {
   const Contact& c = contacts_[i];
   const double h = h_, r = c.radius, ex = c.e_r.x, ey = c.e_r.y;
   const double spin = eq::contact_spin(m_, *c.bearing, free);
-  const double ratio = -c.friction * c.sign_before;
+  const double ratio = -*c.friction * c.sign_before;
   // Response to N with T = ratio N.
   const double lx = -ex - ey * ratio, ly = -ey + ex * ratio, lz = r * ratio;
   const Eigen::Matrix3d& a = admittance(i, i);
@@ -230,11 +228,12 @@ ROTORUB_INLINE bool StepContacts::try_sliding_on(std::size_t i, const double* fr
 ROTORUB_INLINE void StepContacts::solve_contacts(StepState& state) {
   if (loads_.coupled()) update_admittance();
   for (const std::size_t i : lasting_) turn_normal(contacts_[i]);
-  if (loads_.needs_iteration()) loads_.begin_iteration();
-  const bool alone = compliant_.empty() && lasting_.size() == 1;
+  if (loads_.needs_iteration()) loads_.begin_iteration(state.kick_length);
+  const bool may_slide_on =
+      compliant_.empty() && lasting_.size() == 1 && contacts_[lasting_[0]].friction;
   for (bool settled = false;;) {
-    const bool slides = alone && try_sliding_on(lasting_[0], state.v_free.data());
-    if (!slides && !find_impulses(state)) return;
+    const bool slides_on = may_slide_on && try_sliding_on(lasting_[0], state.v_free.data());
+    if (!slides_on && !find_impulses(state)) return;
     const double* from = state.v_free.data();
     for (const List* list : {&lasting_, &compliant_}) {
       for (const std::size_t i : *list) {
@@ -294,7 +293,7 @@ bool StepContacts::solve_rigid(StepState& state) {
     s.friction = parameters(i).friction;
     s.slip_sign = c.sign_before;
     // The impulses of the last round, or in the first round those of the step before.
-    const ContactState& last = states[i];
+    const State& last = states[i];
     const bool begun = last.normal > 0.0;
     s.normal_impulse = begun ? last.normal : state.kick_length * last.normal_at_end;
     s.friction_impulse = begun ? last.friction : state.kick_length * last.friction_at_end;
@@ -307,7 +306,7 @@ bool StepContacts::solve_rigid(StepState& state) {
     return false;
   }
   for (std::size_t k = 0; k < lasting_.size(); ++k) {
-    ContactState& c = states[lasting_[k]];
+    State& c = states[lasting_[k]];
     c.normal = contacts[k].normal_impulse;
     c.friction = contacts[k].friction_impulse;
     c.slip_sign = contacts[k].slip_sign;
@@ -319,7 +318,7 @@ void StepContacts::apply_lasting(StepState& state, bool iteration_deferred) {
   find_separations(state);
   any_acts_ = false;
   for (std::size_t i = 0; i < count(); ++i) {
-    ContactState& c = states[i];
+    State& c = states[i];
     contacts_[i].in_flight = contacts_[i].rigid && !c.closed && m_.auxiliary[i].contact;
     contacts_[i].sign_before = c.slip_sign;
     c.normal = c.friction = 0.0;
@@ -329,7 +328,7 @@ void StepContacts::apply_lasting(StepState& state, bool iteration_deferred) {
   any_acts_ = !lasting_.empty() || !compliant_.empty();
   if (any_acts_) solve_contacts(state);
   for (std::size_t i = 0; i < count(); ++i) {
-    ContactState& c = states[i];
+    State& c = states[i];
     const bool loaded = c.closed && c.normal > 0.0;
     if (contacts_[i].rigid) c.closed = loaded;
     if (!loaded) c.slip_sign = 0.0;
@@ -342,7 +341,7 @@ void StepContacts::apply_lasting(StepState& state, bool iteration_deferred) {
 void StepContacts::add_last_forces(StepState& state) {
   bool any = false;
   for (std::size_t i = 0; i < count(); ++i) {
-    const ContactState& kept = states[i];
+    const State& kept = states[i];
     if (!kept.closed || !(kept.normal_at_end > 0.0)) continue;
     if (!any && loads_.coupled()) update_admittance();
     any = true;

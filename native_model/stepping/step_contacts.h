@@ -22,12 +22,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "native_model/contact/contact_list.h"
 #include "native_model/contact/kinematics.h"
 #include "native_model/contact/lasting_contacts.h"
-#include "native_model/contact/most_contacts.h"
 #include "native_model/model/equations.h"
 #include "native_model/stepping/fixed_step.h"
 #include "native_model/stepping/load_kick.h"
@@ -36,9 +37,9 @@ namespace rotorub {
 
 class StepContacts {
  public:
-  // The state of a contact that is kept between steps. Until apply_lasting() it belongs to the step
-  // before, afterwards to this step.
-  struct ContactState {
+  // What a contact keeps between steps. Until apply_lasting() it belongs to the step before,
+  // afterwards to this step.
+  struct State {
     // Rigid: the contact lasts on its circle. Compliant: it has been in the wall since its last
     // touch.
     bool closed = false;
@@ -48,7 +49,7 @@ class StepContacts {
     double normal_at_end = 0.0, friction_at_end = 0.0;
     double hunt_crossley = 0.0;  // s/m, a of the last touch (compliant)
   };
-  using States = std::array<ContactState, kMaxContacts>;
+  using States = std::array<State, kMaxContacts>;
 
   // Both must outlive this object.
   StepContacts(const StepState& state, LoadKick& loads);
@@ -112,19 +113,19 @@ class StepContacts {
   // with the normal of the step.
   void add_velocity_change(std::size_t i, double normal, double friction, double* to) const;
 
-  // Both call action for numbers that are kept between steps: for_each_kept() for the two numbers
-  // that precede the state in a saved memory, for_each_force_kept() for all others.
+  // Both call action for numbers that are kept between steps: visit_saved() for the two numbers
+  // that precede the state in a saved memory, visit_saved_forces() for all others.
   template <class Action>
-  void for_each_kept(Action& action) {
-    keep_flag(states[0].closed, action);
+  void visit_saved(Action& action) {
+    visit_flag(states[0].closed, action);
     action(states[0].slip_sign);
   }
   template <class Action>
-  void for_each_force_kept(Action& action) {
+  void visit_saved_forces(Action& action) {
     for (std::size_t i = 0; i < count(); ++i) {
-      ContactState& c = states[i];
+      State& c = states[i];
       if (i > 0) {
-        keep_flag(c.closed, action);
+        visit_flag(c.closed, action);
         action(c.slip_sign);
       }
       action(c.normal_at_end);
@@ -132,18 +133,13 @@ class StepContacts {
       if (!contacts_[i].rigid) action(c.hunt_crossley);
     }
   }
-  static std::size_t count_kept(const Model& m) {  // number of calls of both
-    std::size_t numbers = 0;
-    for (const AuxiliaryBearing& bearing : m.auxiliary) numbers += bearing.is_compliant() ? 5U : 4U;
-    return numbers;
-  }
 
   // Velocities at the end of the step without its impacts.
   const double* end_without_impacts(const StepState& state) const {
     return impacted_ ? without_impacts_.data() : state.v_end.data();
   }
-  // Writes the results of the step (contact_results.cc).
-  void write_results(FixedStep& out) const;
+  // Writes the results of the step (contact_results.cc). impact_force: N, see ContactStep.
+  void write_results(const Eigen::Vector2d& impact_force, FixedStep& out);
   // J, work of lasting contact on the coordinates at the mean velocities of the step.
   double lasting_work(const double* mean) const;
 
@@ -156,8 +152,7 @@ class StepContacts {
     bool rigid = true;       // also if there is no contact
     bool in_flight = false;  // rigid, and not lasting before the step
     double clearance = 0.0, radius = 0.0;
-    // mu; not a number if mu depends on the slip, so that try_sliding_on() returns false.
-    double friction = 0.0;
+    std::optional<double> friction;  // mu; empty if it depends on the slip
     // The change of the velocities by a unit impulse in x, in y and about z: the columns of A^-1
     // J^T. If a free spin is coupled with bending (velocity_matrix.h), they are the columns of
     // A_0^-1 J^T, and `coupled` has the rest of A^-1 J^T, which changes from step to step.

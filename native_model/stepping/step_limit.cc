@@ -133,7 +133,7 @@ StepLimit step_limit(const Model& m) {
   return limit;
 }
 
-std::string step_beyond(double step, const StepLimit& limit) {
+std::string step_limit_text(double step, const StepLimit& limit) {
   char text[160];
   std::snprintf(text, sizeof text, "step %g s is not below %.4g s, the limit of %s", step,
                 limit.step, limit.of);
@@ -142,7 +142,7 @@ std::string step_beyond(double step, const StepLimit& limit) {
 
 std::string step_refusal(const Model& model, double step) {
   const StepLimit limit = step_limit(model);
-  return step < limit.step ? sample_refusal(model, step) : step_beyond(step, limit);
+  return step < limit.step ? sample_refusal(model, step) : step_limit_text(step, limit);
 }
 
 }  // namespace rotorub

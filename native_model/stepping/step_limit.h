@@ -24,6 +24,6 @@ StepLimit step_limit(const Model& model);
 // The reason why this step cannot work; empty if it can.
 std::string step_refusal(const Model& model, double step);
 // "step ... s is not below ... s, the limit of ...".
-std::string step_beyond(double step, const StepLimit& limit);
+std::string step_limit_text(double step, const StepLimit& limit);
 
 }  // namespace rotorub

@@ -30,8 +30,7 @@ struct StepState {
   // The velocities of the kick: at its start, t_{k-1/2} (t_0 in a first step); at its end,
   // t_{k+1/2}, with all loads but without contact; at its end with everything.
   Coordinates v_start, v_free, v_end;
-  // Duration of the kick in steps while the contacts are solved: 1, or 1/2 in a first step. At all
-  // other times it is 1, because a first kick is computed in full and then halved (verlet.cc).
+  // Duration of the step's kick, in steps: 1, or 1/2 in a first step.
   double kick_length = 1.0;
   Status status = Status::kOk;  // with any other status q and v stay unchanged
 
@@ -56,7 +55,7 @@ struct StepState {
     v.swap(v_start);
   }
   // Sets q_k and v_start like begin() for a look at the next kick; q and v stay unchanged.
-  void peek(const double* deferred) {
+  void begin_precomputing(const double* deferred) {
     q_k = q;
     v_start = v;
     if (deferred) set_start(deferred);
@@ -95,7 +94,7 @@ struct StepState {
 
 // Passes a flag to `action` as one of the numbers that are kept between steps.
 template <class Action>
-void keep_flag(bool& flag, Action& action) {
+void visit_flag(bool& flag, Action& action) {
   double number = flag ? 1.0 : 0.0;
   action(number);
   flag = number != 0.0;

@@ -24,16 +24,9 @@ bool turns(scene::ForceKind kind) {
 
 double next_switch(const Model& model, double from, double end) {
   double next = end;
-  const auto look_at = [&](double instant) {
+  equations::for_each_switch(model, [&](double instant) {
     if (instant > from && instant < next) next = instant;
-  };
-  for (const AppliedForce& force : model.forces) {
-    look_at(force.on);
-    look_at(force.off);
-  }
-  for (const DiscUnbalance& unbalance : model.unbalances) look_at(unbalance.on);
-  if (model.base) std::ranges::for_each(model.base->jumps(), look_at);
-  for (const StationFeedback& f : model.feedbacks) std::ranges::for_each(f.works.all(), look_at);
+  });
   return next;
 }
 
@@ -41,28 +34,22 @@ SteppedLoads::SteppedLoads(const Model& model, double h) : model_(&model) {
   for (const AppliedForce& force : model.forces) {
     synchronous_ = synchronous_ || force.kind == scene::ForceKind::kSynchronous;
     Load& load = loads_.emplace_back();
-    load.of = &force;
+    load.force = &force;
     load.switched = force.on > 0.0 || force.off < scene::kNever || force.ramp > 0.0;
     load.off = std::max(force.on, force.off);
     sine_cosine(force.frequency * h, load.turn_sine, load.turn_cosine);
   }
 }
 
-std::size_t SteppedLoads::count_kept(const Model& model) {
-  const auto rotates = [](const AppliedForce& force) {
-    return force.kind == scene::ForceKind::kRotating;
-  };
-  return 2 * static_cast<std::size_t>(std::ranges::count_if(model.forces, rotates));
-}
-
 void SteppedLoads::advance(std::int64_t k, double t, double begin, double end) {
   if (k == now_) return;
   now_ = k;
   for (Load& load : loads_) {
-    const bool rotates = load.of->kind == scene::ForceKind::kRotating;
-    const bool sweeps = load.of->kind == scene::ForceKind::kChirp;  // not by a fixed angle per step
+    const bool rotates = load.force->kind == scene::ForceKind::kRotating;
+    const bool sweeps =
+        load.force->kind == scene::ForceKind::kChirp;  // not by a fixed angle per step
     if (sweeps || (rotates && k % kResync == 0)) {
-      sine_cosine(load.of->angle(t, 0.0), load.sine, load.cosine);
+      sine_cosine(load.force->angle(t, 0.0), load.sine, load.cosine);
     } else if (rotates) {
       const double c = load.cosine, s = load.sine;
       load.cosine = c * load.turn_cosine - s * load.turn_sine;
@@ -78,7 +65,7 @@ void SteppedLoads::weigh(double begin, double end) {
     base_ = {a.x(), a.y()};
   }
   for (Load& load : loads_) {
-    const AppliedForce& force = *load.of;
+    const AppliedForce& force = *load.force;
     const double x = turns(force.kind) ? force.amplitude * load.cosine : force.vector.x();
     const double y = turns(force.kind) ? force.amplitude * load.sine : force.vector.y();
     if (force.kind == scene::ForceKind::kPulse) {
@@ -93,15 +80,15 @@ void SteppedLoads::weigh(double begin, double end) {
 
 void SteppedLoads::turn_with(double phi) {
   for (Load& load : loads_) {
-    if (load.of->kind != scene::ForceKind::kSynchronous) continue;
-    sine_cosine(phi + load.of->phase, load.sine, load.cosine);
-    load.x = load.share * load.of->amplitude * load.cosine;
-    load.y = load.share * load.of->amplitude * load.sine;
+    if (load.force->kind != scene::ForceKind::kSynchronous) continue;
+    sine_cosine(phi + load.force->phase, load.sine, load.cosine);
+    load.x = load.share * load.force->amplitude * load.cosine;
+    load.y = load.share * load.force->amplitude * load.sine;
   }
 }
 
 double SteppedLoads::mean_envelope(const Load& load, double begin, double end) {
-  const AppliedForce& force = *load.of;
+  const AppliedForce& force = *load.force;
   // Exactly 1 if nothing changes within the step.
   if (begin >= force.on + force.ramp && end <= load.off) return 1.0;
   const double until_end = std::min(load.off, end), until_begin = std::min(load.off, begin);
@@ -110,7 +97,7 @@ double SteppedLoads::mean_envelope(const Load& load, double begin, double end) {
 
 // The mean of sin(pi (t - on)/(off - on)), from its integral.
 double SteppedLoads::mean_pulse(const Load& load, double from, double to) {
-  const double on = load.of->on, off = load.off;
+  const double on = load.force->on, off = load.off;
   const double begin = std::clamp(from, on, off), end = std::clamp(to, on, off);
   const double turn = std::numbers::pi / (off - on);
   // cos a - cos b = 2 sin((a + b)/2) sin((b - a)/2).

@@ -34,7 +34,7 @@ class SteppedLoads {
   void turn_with(double phi);
   void add(double* f) const {
     for (const Load& load : loads_) {
-      equations::add_station_force(model_->layout.modes, load.of->shape, load.x, load.y, f);
+      equations::add_station_force(model_->layout.modes, load.force->shape, load.x, load.y, f);
     }
     if (model_->base) equations::add_base_load(*model_, base_, f);
   }
@@ -42,18 +42,17 @@ class SteppedLoads {
   void forget() { now_ = -1; }
   // Calls action for every number that is kept between steps.
   template <class Action>
-  void for_each_kept(Action& action) {
+  void visit_saved(Action& action) {
     for (Load& load : loads_) {
-      if (load.of->kind != scene::ForceKind::kRotating) continue;
+      if (load.force->kind != scene::ForceKind::kRotating) continue;
       action(load.cosine);
       action(load.sine);
     }
   }
-  static std::size_t count_kept(const Model& model);  // number of these calls
 
  private:
   struct Load {
-    const AppliedForce* of = nullptr;
+    const AppliedForce* force = nullptr;
     bool switched = false;                      // or ramped
     double off = 0.0;                           // s, not before `on`
     double cosine = 0.0, sine = 0.0;            // of the present direction

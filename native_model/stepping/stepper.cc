@@ -24,10 +24,9 @@ FixedStep VerletStepper::step(std::int64_t k, std::span<const Eigen::Vector2d> u
   if (!u[0].isZero(0.0)) step_->loads.drive_first_ring();
   step_->step(k);
   FixedStep out;
-  step_->contacts.write_results(out);
+  step_->contacts.write_results(step_->impact_force(k), out);
   out.status = step_->state.status;
   out.impact_time = step_->impact_time();
-  out.impact_force = step_->impact_force(k);
   if (works && out.status == Status::kOk) {
     out.impact_work = impact_work(step_->state.model, out.impacts);
     out.contact_work = out.impact_work + step_->lasting_work();
@@ -40,7 +39,7 @@ const double* VerletStepper::q() const { return step_->state.q.data(); }
 const double* VerletStepper::v() const { return step_->state.v.data(); }
 const double* VerletStepper::last_q() const { return step_->state.q_k.data(); }
 const double* VerletStepper::last_velocity() const { return step_->last_velocity(); }
-double VerletStepper::last_kick() const { return step_->was_first() ? 0.5 : 1.0; }
+double VerletStepper::last_kick() const { return step_->state.kick_length; }
 
 void VerletStepper::announce_command_jump(std::size_t contact, const CommandJump& command) {
   step_->announce_command_jump(contact, command);
@@ -52,7 +51,7 @@ void VerletStepper::velocity_now(std::int64_t k, std::span<const Eigen::Vector2d
 }
 
 void VerletStepper::begin(double t, const double* q, const double* v) {
-  for_each_kept([](double& value) { value = 0.0; });
+  visit_saved([](double& value) { value = 0.0; });
   step_->state.adopt(q, v);
   step_->state.origin = t;
   step_->state.status = Status::kOk;
@@ -61,26 +60,28 @@ void VerletStepper::begin(double t, const double* q, const double* v) {
 
 void VerletStepper::adopt(const double* q, const double* v) {
   step_->state.adopt(q, v);
-  step_->forget_look();
+  step_->discard_precomputed_kick();
 }
 void VerletStepper::apply(const double* loads) {
   step_->loads.applied = loads;
-  step_->forget_look();
+  step_->discard_precomputed_kick();
 }
 
-std::size_t VerletStepper::memory_size(const Model& model) { return VerletStep::count_kept(model); }
+std::size_t VerletStepper::memory_size(const Model& model) {
+  std::size_t count = 0;
+  VerletStepper(model, 1.0).visit_saved([&count](double&) { ++count; });
+  return count;
+}
 
 void VerletStepper::save(double* to) const {
-  [[maybe_unused]] const double* const first = to;
-  for_each_kept([&to](double& value) { *to++ = value; });
-  assert(to == first + memory_size(step_->state.model));
+  visit_saved([&to](double& value) { *to++ = value; });
 }
 
 void VerletStepper::restore(const double* from) {
-  for_each_kept([&from](double& value) { value = *from++; });
+  visit_saved([&from](double& value) { value = *from++; });
   step_->state.status = Status::kOk;
   step_->loads.forget();
-  step_->forget_look();
+  step_->discard_precomputed_kick();
 }
 
 void VerletStepper::command(std::span<const Eigen::Vector2d> u) {
@@ -91,13 +92,13 @@ void VerletStepper::command(std::span<const Eigen::Vector2d> u) {
 // numbers of the first contact, the origin of time, q, v. The numbers of the loads and of the
 // scheme follow.
 template <class Action>
-void VerletStepper::for_each_kept(Action action) const {
-  step_->contacts.for_each_kept(action);
+void VerletStepper::visit_saved(Action action) const {
+  step_->contacts.visit_saved(action);
   action(step_->state.origin);
   for (double& value : step_->state.q) action(value);
   for (double& value : step_->state.v) action(value);
-  step_->loads.for_each_kept(action);
-  step_->for_each_kept(action);
+  step_->loads.visit_saved(action);
+  step_->visit_saved(action);
 }
 
 std::unique_ptr<FixedStepper> make_stepper(scene::Integrator integrator, const Model& model,

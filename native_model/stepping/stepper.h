@@ -102,7 +102,7 @@ class VerletStepper final : public FixedStepper {
  private:
   void command(std::span<const Eigen::Vector2d> u);
   template <class Action>
-  void for_each_kept(Action action) const;
+  void visit_saved(Action action) const;
 
   std::unique_ptr<VerletStep> step_;
 };

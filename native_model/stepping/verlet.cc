@@ -16,8 +16,10 @@ namespace {
 // round-off.
 constexpr double kLeastPart = 1e-9;
 
+// Only with a single contact.
 bool impacts_take_time(const Model& m) {
-  return m.auxiliary.size() == 1 && m.first().contact && m.first().contact->impact_time() > 0.0;
+  const auto& contact = m.auxiliary[0].contact;
+  return m.auxiliary.size() == 1 && contact && contact->impact_time() > 0.0;
 }
 
 }  // namespace
@@ -35,39 +37,30 @@ VerletStep::VerletStep(const Model& model, double h)
   if (impacts_take_time(model)) finite_impact_.emplace(model);
 }
 
-std::size_t VerletStep::count_kept(const Model& model) {
-  const auto n = static_cast<std::size_t>(model.nq());
-  const std::size_t origin = 1, state = 2 * n, flags = 2, late = n;
-  return StepContacts::count_kept(model) + origin + state + LoadKick::count_kept(model) + flags +
-         late + (impacts_take_time(model) ? FiniteImpact::count_kept(model) : 0);
-}
-
 // ------------------------------------------------------------------ the step
 void VerletStep::step(std::int64_t k) {
+  state.kick_length = first_ ? 0.5 : 1.0;
   work_correction_ = impact_time_ = 0.0;
   has_mean_ = false;
   contacts.clear_results();
   const bool defer_iteration = iterates_with_contact();
   state.begin(deferred_or_null());
-  const bool kicked = looked_at_ == k && loads.exchange_commands(state, looked_commands_);
-  looked_at_ = kNoStep;
+  const bool kicked = precomputed_at_ == k && loads.exchange_commands(state, precomputed_commands_);
+  precomputed_at_ = kNoStep;
   if (!kicked) kick(k, defer_iteration);
   if (has_deferred_) std::fill(deferred_.begin(), deferred_.end(), 0.0);
   has_deferred_ = false;
-  was_first_ = first_;
   in_finite_impact_ = finite_impact_ && finite_impact_->active();
   if (in_finite_impact_) {
     follow_finite_impact(k);
   } else if (contacts.any()) {
     const double end = state.time_of(k) + 0.5 * state.h,
-                 begin = was_first_ ? state.time_of(k) : end - state.h;
+                 begin = was_first() ? state.time_of(k) : end - state.h;
     const double share = share_before_jump(begin, end);
     if (share > 0.0) states_before_ = contacts.states;
-    state.kick_length = was_first_ ? 0.5 : 1.0;
     contacts.apply_lasting(state, defer_iteration);
     if (share > 0.0) take_in_two_parts(share, begin, end);
     if (contacts.any_flight_ends(state)) solve_impacts(k);
-    state.kick_length = 1.0;
   }
   if (has_command_jumps_) forget_command_jumps();
   first_ = false;
@@ -100,12 +93,12 @@ void VerletStep::velocity_now(std::int64_t k, double* v) {
     std::copy(state.v.begin(), state.v.end(), v);
     return;
   }
-  state.peek(deferred_or_null());
+  state.begin_precomputing(deferred_or_null());
   // The iteration may be omitted in lasting contact, because the contact force of the previous step
   // already causes an error of order h^2.
   kick(k, iterates_with_contact());
-  looked_at_ = k;
-  looked_commands_ = loads.command;
+  precomputed_at_ = k;
+  precomputed_commands_ = loads.command;
   if (finite_impact_ && finite_impact_->active())
     return finite_impact_->velocities(state.time_of(k), v);
   if (contacts.any()) contacts.add_last_forces(state);
@@ -116,7 +109,7 @@ void VerletStep::velocity_now(std::int64_t k, double* v) {
 void VerletStep::restart() {
   first_ = true;
   has_deferred_ = false;
-  forget_look();
+  discard_precomputed_kick();
   std::fill(deferred_.begin(), deferred_.end(), 0.0);
   loads.forget();
   if (finite_impact_) finite_impact_->cancel();
@@ -135,10 +128,10 @@ const double* VerletStep::mean_velocity() {
 
 const double* VerletStep::last_velocity() {
   const int sampled = state.model.sampled_states(), after_sampled = state.model.layout.coil();
-  const bool is_mean = !was_first_ && !in_finite_impact_ && sampled == after_sampled;
+  const bool is_mean = !was_first() && !in_finite_impact_ && sampled == after_sampled;
   if (is_mean) return mean_velocity();
   last_v_ = state.v_start;
-  if (!was_first_) {
+  if (!was_first()) {
     const double* mean = mean_velocity();
     std::copy(mean, mean + sampled, last_v_.begin());
     std::copy(mean + after_sampled, mean + state.nq(), last_v_.begin() + after_sampled);
@@ -150,8 +143,7 @@ const double* VerletStep::last_velocity() {
 
 double VerletStep::external_work() {
   if (in_finite_impact_) return work_correction_;  // begin_finite_impact() has counted the work
-  const double kick = was_first_ ? 0.5 : 1.0;
-  return kick * loads.external_work(state, mean_velocity()) + work_correction_;
+  return state.kick_length * loads.external_work(state, mean_velocity()) + work_correction_;
 }
 
 // ------------------------------------------------------------------ jumps of loads and commands
@@ -216,7 +208,7 @@ void VerletStep::take_in_two_parts(double share, double begin, double end) {
   // Restores the loads of the whole step, from which the works follow, and v_free.
   loads.command = mean_commands;
   loads.free_velocity_of_part(state, begin, end);
-  if (was_first_) halve_kick();
+  if (was_first()) halve_kick();
   if (contacts.lasts_unchanged(states_before_, mean) &&
       contacts.lasts_unchanged(states_before_, first) &&
       contacts.lasts_unchanged(states_before_, contacts.states)) {
@@ -232,7 +224,7 @@ void VerletStep::take_in_two_parts(double share, double begin, double end) {
 // throughout. at_start: states of the contacts before this part.
 void VerletStep::take_part(const StepContacts::States& at_start, double begin, double end) {
   loads.free_velocity_of_part(state, begin, end);
-  if (was_first_) halve_kick();
+  if (was_first()) halve_kick();
   contacts.states = at_start;
   contacts.apply_lasting(state);
 }
@@ -327,12 +319,12 @@ void VerletStep::solve_impacts(std::int64_t k) {
     if (finite_impact_ && !is_last && impact.rebounds(h)) return begin_finite_impact(k, flight);
     const Status found = impact.solve(state, t + flight.theta * h, t, q, is_last, impulses);
     if (found != Status::kOk) return state.fail(found);
-    for (std::size_t i = 0; i < impact.count(); ++i) {
-      const std::size_t index = impact.contact_index(i);
-      if (flight.closed[index] && contacts.states[index].closed && !impact.stays_closed(i)) {
-        open_by_impact(index, flight);
+    for (const SharedImpact::Member& member : impact.members()) {
+      const std::size_t i = member.contact;
+      if (flight.closed[i] && contacts.states[i].closed && !member.stays_closed) {
+        open_by_impact(i, flight);
       }
-      flight.closed[index] = impact.stays_closed(i);
+      flight.closed[i] = member.stays_closed;
     }
     apply_impulses(flight, t, q, impulses);
   }
@@ -348,7 +340,7 @@ void VerletStep::open_by_impact(std::size_t contact, Flight& flight) {
   double missed[kMaxCoordinates];
   const int nq = state.nq();
   std::fill_n(missed, nq, 0.0);
-  StepContacts::ContactState& kept = contacts.states[contact];
+  StepContacts::State& kept = contacts.states[contact];
   contacts.add_velocity_change(contact, kept.normal, kept.friction, missed);
   for (int j = 0; j < nq; ++j) {
     deferred_[static_cast<std::size_t>(j)] += (flight.theta - 0.5) / state.kick_length * missed[j];
@@ -425,7 +417,8 @@ void VerletStep::begin_finite_impact(std::int64_t k, const Flight& flight) {
   }
   FiniteImpact& impact = *finite_impact_;
   const Eigen::Vector2d command = command_at_impact(m, 0, t, q, v, loads.command[0]);
-  const Status found = impact.begin(t, q, v, command, is_controlled_continuously(m.first(), t));
+  const Status found =
+      impact.begin(t, q, v, command, is_controlled_continuously(m.auxiliary[0], t));
   if (found != Status::kOk) return state.fail(found);
   // The kick counts the work of the loads until the middle of the step, not until the touch.
   work_correction_ += to_touch * impact.power_at_touch() + impact.external_work();

@@ -53,14 +53,12 @@ class VerletStep {
   void velocity_now(std::int64_t k, double* v);
   // Call it after velocity_now() if the state or the loads have been changed since: the step then
   // computes its kick anew instead of taking it over.
-  void forget_look() { looked_at_ = kNoStep; }
+  void discard_precomputed_kick() { precomputed_at_ = kNoStep; }
   // Call it after a state (q, v at one instant) has been written: the next step is half a kick.
   void restart();
   // Announces a jump of the command of a ring within the next step.
   void announce_command_jump(std::size_t ring, const CommandJump& command);
 
-  // True if the last step was half a kick.
-  bool was_first() const { return was_first_; }
   // s, duration of an impact that takes time and began in the step; 0: there was none.
   double impact_time() const { return impact_time_; }
   // N, (normal, friction) force at t_k of an impact that takes time.
@@ -79,17 +77,15 @@ class VerletStep {
   double lasting_work() { return contacts.lasting_work(mean_velocity()); }
 
   // Calls action for the numbers of a saved step that are neither in the state nor visited by
-  // for_each_kept() of the loads and the contacts.
+  // visit_saved() of the loads and the contacts.
   template <class Action>
-  void for_each_kept(Action& action) {
-    keep_flag(first_, action);
-    contacts.for_each_force_kept(action);
-    keep_flag(has_deferred_, action);
+  void visit_saved(Action& action) {
+    visit_flag(first_, action);
+    contacts.visit_saved_forces(action);
+    visit_flag(has_deferred_, action);
     for (double& value : deferred_) action(value);
-    if (finite_impact_) finite_impact_->for_each_kept(action);
+    if (finite_impact_) finite_impact_->visit_saved(action);
   }
-  // The number of all numbers of a saved step, including state, loads and contacts.
-  static std::size_t count_kept(const Model& model);
 
  private:
   using Coordinates = StepState::Coordinates;
@@ -113,18 +109,19 @@ class VerletStep {
   void begin_finite_impact(std::int64_t k, const Flight& flight);
   void follow_finite_impact(std::int64_t k);
 
+  bool was_first() const { return state.kick_length < 1.0; }
+
   Coordinates deferred_;                      // m/s, rad/s: deferred by the last step
   Coordinates mean_v_, last_v_;               // see mean_velocity() and last_velocity()
   bool has_mean_ = false;                     // mean_v_ belongs to the last step
   bool first_ = true, has_deferred_ = false;  // the next step is half a kick; deferred_ is in use
-  bool was_first_ = true;
   // J, the work of the loads that the mean of the step's velocities misses because of impacts.
   double work_correction_ = 0.0;
 
   // The step whose free velocities v_end holds since velocity_now(), and their commands.
   static constexpr std::int64_t kNoStep = -1;
-  std::int64_t looked_at_ = kNoStep;
-  LoadKick::Commands looked_commands_;
+  std::int64_t precomputed_at_ = kNoStep;
+  LoadKick::Commands precomputed_commands_;
 
   bool switches_ = false;  // some load is switched during a run
   // s; a cache: no load is switched from switch_from_ until switch_at_.

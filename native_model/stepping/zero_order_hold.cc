@@ -37,7 +37,7 @@ double ZeroOrderHold::next_sample() const {
   return (last_sample_ + 1.0) * bearing().sample_time;
 }
 
-bool ZeroOrderHold::listens(double end) const {
+bool ZeroOrderHold::needs_state(double end) const {
   if (!bearing().controller) return false;
   const double first = bearing().sample_time > 0.0 ? next_sample() : bearing().control_on;
   return first <= end;
@@ -45,7 +45,7 @@ bool ZeroOrderHold::listens(double end) const {
 
 Eigen::Vector2d ZeroOrderHold::mean(double begin, double t, double end, const double* q,
                                     const double* v, const double* a) {
-  if (!listens(end)) return held_;
+  if (!needs_state(end)) return held_;
   const Model& m = *model_;
   double now_q[kMaxCoordinates], now_v[kMaxCoordinates];
   const auto take = [&](double instant) {

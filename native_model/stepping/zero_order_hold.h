@@ -33,7 +33,7 @@ class ZeroOrderHold {
   // The first jump of the command in the last mean().
   const CommandJump& command_jump() const { return command_jump_; }
   // True if mean() would use the state.
-  bool listens(double end) const;
+  bool needs_state(double end) const;
   // Outputs of a sampled law at its last sample (ActuatorState::outputs).
   std::array<double, kMostOutputs> outputs() const { return sampled_.outputs(); }
   // The reason why the law failed; empty if it did not. The last command stays valid.

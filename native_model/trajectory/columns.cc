@@ -5,7 +5,7 @@
 #include <cassert>
 #include <charconv>
 
-#include "native_model/contact/most_contacts.h"
+#include "native_model/contact/contact_list.h"
 #include "native_model/model/dynamics.h"
 
 namespace rotorub {
@@ -163,24 +163,25 @@ void for_each_column_of(const Model& m, std::size_t k, const Visit& visit) {
   visit(k, Title{"gap"}, [k](const Row& r) { return r.places[k].gap; });
   visit(k, Title{"gap_rate"}, [k](const Row& r) { return r.places[k].gap_rate; });
   visit(k, Title{"slip"}, [k](const Row& r) { return r.places[k].slip; });
-  visit(k, Title{"normal_force"}, [k](const Row& r) { return r.now.at(k).normal_force; });
-  visit(k, Title{"friction_force"}, [k](const Row& r) { return r.now.at(k).friction_force; });
-  visit(k, Title{"mode"}, [k](const Row& r) { return static_cast<double>(r.now.at(k).mode); });
+  visit(k, Title{"normal_force"}, [k](const Row& r) { return r.now.contacts[k].normal_force; });
+  visit(k, Title{"friction_force"}, [k](const Row& r) { return r.now.contacts[k].friction_force; });
+  visit(k, Title{"mode"},
+        [k](const Row& r) { return static_cast<double>(r.now.contacts[k].mode); });
   if (k == 0) for_each_coordinate(m, visit);
 
   const AuxiliaryBearing& bearing = m.auxiliary[k];
   if (bearing.moves() && (bearing.commanded() || bearing.magnets)) {
-    both("control_x", "control_y", [k](const Row& r) { return r.now.at(k).actuator.force; });
+    both("control_x", "control_y", [k](const Row& r) { return r.now.contacts[k].actuator.force; });
   }
   for (int axis = 0; bearing.magnets && axis < 2; ++axis) {
     visit(k, Title{"current", axis + 1},
-          [&](const Row& r) { return r.now.at(k).actuator.current[axis]; });
+          [&](const Row& r) { return r.now.contacts[k].actuator.current[axis]; });
   }
   if (bearing.controller) {
     std::size_t i = 0;
     for (const Controller::Output& output : bearing.controller->outputs()) {
       visit(k, Title{"", 0, &output}, [&](const Row& r) {
-        std::array<double, kMostOutputs> values = r.now.at(k).actuator.outputs;
+        std::array<double, kMostOutputs> values = r.now.contacts[k].actuator.outputs;
         if (!bearing.loop) control_outputs(r.m, r.now.t, r.now.q, r.now.v, values.data(), k);
         return values[i];
       });

@@ -46,19 +46,15 @@ struct ContactSnapshot {
   Mode mode = Mode::kFree;
   ActuatorState actuator{};
 };
-// State of the model at one instant; the base is the first contact. q, v: nq values, valid during
-// the call.
-struct Snapshot : ContactSnapshot {
-  double t = 0.0;
+// State of the model at one instant. q, v: nq values, valid during the call.
+struct Snapshot {
+  double t = 0.0;  // s
   const double* q = nullptr;
   const double* v = nullptr;
-  std::span<const ContactSnapshot> others{};  // of the further contacts, in their order
+  std::span<const ContactSnapshot> contacts{};  // one for each auxiliary bearing
   // The integrals of an event-driven run (integral_index() in native_model/event/phase.h), valid as
   // long as q and v; null for a fixed-step run.
   const double* integrals = nullptr;
-  const ContactSnapshot& at(std::size_t contact) const {
-    return contact == 0 ? *this : others[contact - 1];
-  }
 };
 
 // The empty columns that a run of the model has.

@@ -52,7 +52,7 @@ std::optional<std::string> out_of_range(const Model& m, const double* q, RingDep
              ", with a clearance of " + text(clearance) + " m";
     }
   }
-  if (m.first().contact) return {};
+  if (m.has_contact()) return {};
   for (int i = 0; i < 2 * m.layout.modes; ++i) {
     if (!(std::abs(q[i]) >= kNowhere)) continue;
     // The caller adds the time.

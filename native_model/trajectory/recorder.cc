@@ -79,7 +79,7 @@ void Recorder::keep(const Snapshot& now, const ContactPoint& point) {
   for (std::size_t k = 0; k < model_->auxiliary.size(); ++k) {
     ContactStatistics& own = several ? statistics_.contacts[k] : statistics_;
     // A touch that lasts is counted only at its end.
-    if (own.first_touch < 0.0 && now.at(k).mode == Mode::kFree) continue;
+    if (own.first_touch < 0.0 && now.contacts[k].mode == Mode::kFree) continue;
     own.passes.follow(k == 0 ? point.d : separation(*model_, now.q, k), now.t);
   }
 }
@@ -182,7 +182,7 @@ void Recorder::move_to(const Snapshot& now, const ContactPoint& point, bool impa
   passes_until(now, impact);
   if (switches_unbalance_)
     statistics_.external_work += switching_work(*model_, last_t_, now.t, now.q, now.v);
-  if (model_->first().contact) {
+  if (model_->has_contact()) {
     penetration_ = std::max(0.0, -point.gap);
     count_gap(point);
   }
@@ -272,7 +272,7 @@ void Recorder::row(const Snapshot& now) {
   resting_ = 0.0;
   for (std::size_t k = 0; k < m.auxiliary.size(); ++k) {
     if (!m.auxiliary[k].contact) continue;
-    const ContactSnapshot& at = now.at(k);
+    const ContactSnapshot& at = now.contacts[k];
     if (at.mode != Mode::kFree) resting_ += at.normal_force * m.auxiliary[k].contact->clearance;
   }
   put_row(m, next_time(), now, columns_);

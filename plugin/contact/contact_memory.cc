@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "native_model/contact/most_contacts.h"
+#include "native_model/contact/contact_list.h"
 #include "native_model/scene/mujoco.h"
 #include "plugin/contact/relative_motion.h"
 

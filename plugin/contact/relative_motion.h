@@ -20,8 +20,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "native_model/contact/contact_list.h"
 #include "native_model/contact/kinematics.h"
-#include "native_model/contact/most_contacts.h"
 #include "plugin/model/config.h"
 
 namespace rotorub::plugin {

@@ -77,7 +77,7 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
   if (ring.controller) {
     mean = worker.hold.held();
     const double end = t + 0.5 * h;
-    if (worker.hold.listens(end)) {
+    if (worker.hold.needs_state(end)) {
       double v[kMaxCoordinates], a[kMaxCoordinates];
       const Eigen::Vector2d held_force =
           asks ? worker.hold.held() : actuator_state(config, m, d).force;
@@ -104,9 +104,9 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
 
 void note(const ContactPair& pair, mjData* d, const FixedStep& r, double kick) {
   ContactEntries& entry = contact_entries(pair, d);
-  const ContactStep& of = r.at(pair.bearing);
-  record_forces(entry, of.mode, of.normal_impulse / kick + of.impact_force.x(),
-                of.friction_impulse / kick + of.impact_force.y());
+  const ContactStep& did = r.contacts[pair.bearing];
+  record_forces(entry, did.mode, did.normal_impulse / kick + did.impact_force.x(),
+                did.friction_impulse / kick + did.impact_force.y());
   ContactStatus(entry.status).record(r.status);
   entry.impact = 0.0;
   for (const Impact& impact : r.impacts) {

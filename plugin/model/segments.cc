@@ -211,7 +211,7 @@ void native_velocity(const Segments& segments, const Model& model, const mjtNum*
 std::string segment_step_refusal(const Segments& segments, double step) {
   const double limit = 2.0 / segments.highest;
   if (step < limit) return {};
-  return step_beyond(step, {limit, "the segment rotor"}) +
+  return step_limit_text(step, {limit, "the segment rotor"}) +
          "; lower run.step, or use fewer mujoco.segments";
 }
 
@@ -291,7 +291,7 @@ void add_segment_loads(const Config& config, const mjModel* m, mjData* d) {
   }
   if (s.drive_node >= 0 && model.drive) {
     const JointAddress& motor = s.spin[static_cast<std::size_t>(s.drive_node)];
-    d->qfrc_passive[motor.velocity] += model.drive_torque(
+    d->qfrc_passive[motor.velocity] += model.drive->torque(
         d->time, d->qpos[motor.position] - model.drive_angle, d->qvel[motor.velocity]);
   }
   // MuJoCo applies the rotor's weight. The ring's mass is an armature, on which gravity does not

@@ -154,7 +154,7 @@ TEST_F(Shadow, RunsBesideSegments) {
     const std::vector<double> now = shadow_of(config, d.get());
     if (k == 0) native.begin(0.0, now.data(), now.data() + config.model.nq());
     ASSERT_TRUE(std::equal(now.begin(), now.begin() + config.model.nq(), native.q())) << k;
-    touched = native.step(k).normal_impulse > 0.0 || touched;
+    touched = native.step(k).contacts[0].normal_impulse > 0.0 || touched;
     if (touched) continue;
     const Eigen::Vector2d own = point(m.get(), d.get(), names::kRotorPosition);
     apart = std::max(apart, (own - point(m.get(), d.get(), names::kShadowRotor)).norm());

@@ -42,7 +42,7 @@ class TrapezoidBalance {
   End at(const Snapshot& now) const {
     const ContactPoint p = contact_point(*model_, now.q, now.v);
     return {now.t, p.gap_rate, p.slip - held(),
-            external_power(*model_, now.t, now.q, now.v, now.actuator.force)};
+            external_power(*model_, now.t, now.q, now.v, now.contacts[0].actuator.force)};
   }
 
   const Model* model_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "native_model/model/dynamics.h"
@@ -41,7 +42,8 @@ class PeerRecord {
     const auto n = static_cast<std::size_t>(model.nq());
     q_.assign(model.q0.data(), model.q0.data() + n);
     v_.assign(model.v0.data(), model.v0.data() + n);
-    const Snapshot start{{}, 0.0, q_.data(), v_.data()};
+    const ContactSnapshot flight{};
+    const Snapshot start{0.0, q_.data(), v_.data(), std::span(&flight, 1)};
     recorder_.begin(start);
     balance_.begin(start);
     point_ = contact_point(model_, q_.data(), v_.data());
@@ -73,7 +75,8 @@ class PeerRecord {
       note(t, mode);
     }
     const double scale = hits ? 0.0 : 1.0 / step_;
-    const Snapshot end{{scale * r.normal, scale * r.friction, mode, {}}, t, q_.data(), v_.data()};
+    const ContactSnapshot shown{scale * r.normal, scale * r.friction, mode, {}};
+    const Snapshot end{t, q_.data(), v_.data(), std::span(&shown, 1)};
     const Impact* hit = hits ? &impact : nullptr;
     recorder_.step(end, r.normal, r.friction, hit, balance_.step(end, r.normal, r.friction, hit));
     touched_ = touches;

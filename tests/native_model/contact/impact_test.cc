@@ -64,27 +64,6 @@ TEST(Impact, RandomImpactsSatisfyTheLawsAndDissipate) {
   }
 }
 
-TEST(ImpactMap, FiniteTimesFadeToTheClassicalLaw) {
-  ImpactInput in;
-  in.admittance = Eigen::Vector3d(1.2, 0.9, 50.0).asDiagonal();
-  in.e_r = Eigen::Vector2d(0.6, 0.8);
-  in.radius = 0.02;
-  in.delta = 0.5e-3;
-  in.velocity = {0.3, 0.4, 100.0};
-  in.acceleration = {5.0, -3.0, 0.0};
-  const ImpactLaw law{0.2, 0.5, 0.3};
-  const ImpactResult classical = solve_impact(in, law);
-  double last = 1.0;
-  for (const double tau : {1e-5, 1e-6, 1e-7}) {
-    in.compression_time = in.expansion_time = tau;
-    const ImpactResult r = solve_impact(in, law);
-    const double difference = std::abs(r.normal() - classical.normal());
-    EXPECT_GT(difference, 0.0);
-    EXPECT_LT(difference, 0.2 * last);
-    last = difference;
-  }
-}
-
 // ------------------------------------------------------------------
 
 // All engines end an accumulation of impacts by the same rule.

@@ -13,14 +13,6 @@ namespace {
 
 constexpr double kRoundOff = 1e-12;  // scaled residual of a 2x2 solve in double
 
-TEST(Coulomb, StickByHand) {
-  // L_N = 1 from y_N = L_N - 1, L_T = -0.2 from y_T = 2 L_T + 0.4, and 0.2 <= 0.5.
-  const CoulombSolution s = solve_coulomb({1.0, 0.0, 0.0, 2.0}, -1.0, 0.4, 0.5);
-  EXPECT_EQ(s.contact_case, ContactCase::kStick);
-  EXPECT_DOUBLE_EQ(s.normal, 1.0);
-  EXPECT_DOUBLE_EQ(s.friction, -0.2);
-}
-
 TEST(Coulomb, RandomCoupledProblemsSatisfyTheLaws) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);

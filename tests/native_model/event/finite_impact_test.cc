@@ -41,16 +41,6 @@ scene::Scene loaded() {
 
 constexpr double kLoadedBalance = 1e-9;  // of the largest energy
 
-TEST(FiniteImpact, TheBalanceClosesUnderLoad) {
-  for (const double tau : {1e-6, 1e-5, 1e-4}) {
-    SCOPED_TRACE(tau);
-    const Trajectory t = test::run_event(with_times(loaded(), tau, 1.5 * tau));
-    ASSERT_GE(t.impacts.size(), 2u);
-    EXPECT_LT(t.statistics.energy_residual(), kLoadedBalance);
-    test::expect_dissipative_impacts(loaded(), t);
-  }
-}
-
 // A scene made by hand may set the time of any of several contacts.
 TEST(FiniteImpact, IsRefusedAtAnyContactByAnIntegratorWithoutIt) {
   for (const std::size_t k : {0u, 1u}) {

@@ -38,40 +38,26 @@ TEST(Stiffness, OfAShortRunIsNoReasonToStop) {
 }
 
 // A rotor pressed by 150 N at 300 rad/s into a compliant ring.
-scene::Scene pressed(const std::string& stiffness, const std::string& ring_mass, double end) {
-  return scene::parse_scene(R"([run]
-end = )" + std::to_string(end) + R"(
-output_step = 0.001
-[rotor]
-speed = 300.0
-[rotor.modal]
-mass = [2.0]
-stiffness = [2e5]
-damping = [40.0]
-[contact]
-radius = 0.02
-clearance = 0.0005
-friction = 0.1
-restitution = 0.5
-[contact.compliance]
-stiffness = )" + stiffness + R"(
-[stator]
-mass = )" + ring_mass + R"(
-stiffness = 1e5
-damping = 10.0
-[[force]]
-kind = "rotating"
-amplitude = 150.0
-frequency = 300.0
-)",
-                            "pressed");
+scene::Scene pressed(double stiffness, double ring_mass, double end) {
+  scene::Scene s = make_scene({.damping = 40.0,
+                               .stiffness = 2e5,
+                               .radius = 0.02,
+                               .friction = 0.1,
+                               .restitution = 0.5,
+                               .speed = 300.0});
+  s.first().contact->compliance = Compliance{.stiffness = stiffness};
+  add_ring(s, ring_mass, 10.0, 1e5);
+  add_rotating_force(s, 150.0, 300.0);
+  s.run.end = end;
+  s.run.output_step = 1e-3;
+  return s;
 }
 
 // A very light ring under a compliant contact. Round-off of its depth is more than the tolerance
 // allows, so the steps shrank below what stability asks for, and nothing told that it was stiff.
 TEST(Stiffness, OfALightRingInACompliantContactIsTold) {
-  for (const char* stiffness : {"2e7", "1e11", "1e13"}) {
-    const Trajectory t = test::attempt_event(pressed(stiffness, "1e-9", 0.1));
+  for (const double stiffness : {2e7, 1e11, 1e13}) {
+    const Trajectory t = test::attempt_event(pressed(stiffness, 1e-9, 0.1));
     EXPECT_EQ(t.status, Status::kStepTooLarge) << stiffness;
     EXPECT_NE(t.message.find("the ring's motion follows within"), std::string::npos) << t.message;
     EXPECT_LT(t.steps, 200000) << stiffness;
@@ -81,7 +67,7 @@ TEST(Stiffness, OfALightRingInACompliantContactIsTold) {
 // In a contact of 1e15 N/m the depth is 1e-13 m, of which round-off leaves six digits: 8 ms of
 // contact took 6 million steps.
 TEST(Stiffness, OfAHardContactDoesNotResolveRoundOff) {
-  const Trajectory t = run_event(pressed("1e15", "0.5", 0.013));
+  const Trajectory t = run_event(pressed(1e15, 0.5, 0.013));
   EXPECT_LT(t.steps, 60000);
   EXPECT_LT(t.statistics.energy_residual(), 1e-9);
 }

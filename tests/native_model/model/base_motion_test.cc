@@ -37,21 +37,6 @@ scene::Base lines() {
   return base;
 }
 
-TEST(BaseMotion, ATableIsLinearBetweenItsSamplesAndZeroOutside) {
-  const BaseMotion motion(table());
-  EXPECT_EQ(motion.at(0.05), Vector2d(0.0, 0.0));
-  EXPECT_EQ(motion.at(0.1), Vector2d(1.0, 0.0));
-  EXPECT_NEAR((motion.at(0.15) - Vector2d(2.0, 1.0)).norm(), 0.0, 1e-14);
-  EXPECT_NEAR((motion.at(0.3) - Vector2d(1.0, 2.0)).norm(), 0.0, 1e-14);
-  EXPECT_EQ(motion.at(0.4), Vector2d(0.0, 0.0)) << "over";
-}
-
-TEST(BaseMotion, LinesAreCosinesAlongTheirDirection) {
-  const BaseMotion motion(lines());
-  const double a = 2.0 * std::cos(40.0 * 0.3 + 0.7) + 0.5;
-  EXPECT_NEAR((motion.at(0.3) - a * Vector2d(std::cos(0.4), std::sin(0.4))).norm(), 0.0, 1e-14);
-}
-
 TEST(BaseMotion, OnOffAndRamp) {
   scene::Base base = lines();
   const Vector2d whole = BaseMotion(base).at(0.3);

@@ -102,57 +102,5 @@ TEST(Energy, IsKineticAndElastic) {
   EXPECT_NEAR(energy(m, s.t, s.q.data(), s.v.data()), exact, 1e-13 * std::abs(exact));
 }
 
-// Force times speed, summed by hand over everything that is not a spring.
-double power_by_hand(const Model& m, const State& s) {
-  const Layout& l = m.layout;
-  const auto at = [&](const ModeShape& shape, const Eigen::VectorXd& q) {
-    return Eigen::Vector2d(shape.x.dot(q.segment(l.x(), l.modes)),
-                           shape.y.dot(q.segment(l.y(), l.modes)));
-  };
-  double power = m.weight.dot(s.v) - s.v.dot(m.damping.cwiseProduct(s.v)) +
-                 kActuator.dot(s.v.segment<2>(l.ring()));
-  for (const AppliedForce& f : m.forces)
-    power += f.at(s.t, spin_angle(m, s.t, s.q.data())).dot(at(f.shape, s.v));
-  for (const StationDamper& d : m.dampers) {
-    const Eigen::Vector2d v = at(d.shape, s.v);
-    power -= d.damping.dot(v.cwiseProduct(v));
-  }
-  const double spin = l.spin ? s.v[l.phi()] : m.speed;
-  if (m.drive) {
-    const double motor = spin + m.drive_shape.dot(s.v.segment(l.theta(), l.torsion));
-    power += m.drive->torque(motor) * motor;
-  } else {
-    // Held at its speed, the shaft turns the unbalance from outside.
-    for (const DiscUnbalance& u : m.unbalances) {
-      const double a = m.spin_angle + spin * s.t + u.phase;
-      power += u.static_moment * spin * spin *
-               Eigen::Vector2d(std::cos(a), std::sin(a)).dot(at(u.shape, s.v));
-    }
-  }
-  // Rotating damping, -D (qdot - Omega e_z x q), with its drive from the shaft.
-  const Eigen::Vector2d x = s.q.segment<2>(0), y = s.q.segment<2>(2), vx = s.v.segment<2>(0),
-                        vy = s.v.segment<2>(2);
-  const Eigen::MatrixXd xy = m.internal_xy.dense(2);
-  power -= vx.dot(m.internal_xx.dense(2) * vx + spin * xy * y);
-  power -= vy.dot(m.internal_yy.dense(2) * vy - spin * xy.transpose() * x);
-  return power;
-}
-
-TEST(ExternalPower, IsTheSumOfTheLoadsWork) {
-  for (const bool drive : {true, false}) {
-    const Model m = test::machine(drive);
-    const State s = test::random_state(m, 23);
-    const double exact = power_by_hand(m, s);
-    EXPECT_NEAR(external_power(m, s.t, s.q.data(), s.v.data(), kActuator), exact,
-                1e-12 * std::abs(exact) + 1e-9);
-    // extra_power is what the caller adds to the plain product with f.
-    Eigen::VectorXd f(m.nq());
-    smooth_force(m, s.t, s.q.data(), s.v.data(), kActuator, f.data());
-    const double plain = (f + m.stiffness.cwiseProduct(s.q)).dot(s.v);
-    EXPECT_NEAR(plain + extra_power(m, s.t, s.q.data(), s.v.data()), exact,
-                1e-12 * std::abs(plain) + 1e-9);
-  }
-}
-
 }  // namespace
 }  // namespace rotorub

@@ -61,7 +61,7 @@ TEST_F(Allocation, NoneInAStepOfSeveralContacts) {
     const std::int64_t before = allocations;
     for (std::int64_t k = 0; k < 5000; ++k) {
       const FixedStep done = stepper->step(k, u, true);
-      for (const std::size_t i : {0, 1}) touched[i] |= done.at(i).normal_impulse > 0.0;
+      for (const std::size_t i : {0, 1}) touched[i] |= done.contacts[i].normal_impulse > 0.0;
     }
     const std::int64_t count = allocations - before;
     EXPECT_EQ(count, 0);

@@ -150,29 +150,11 @@ TEST(CompliantSteps, OthersRefuseThem) {
 
 // A rotor that flies straight into its wall: the touch is within a step.
 TEST(CompliantSteps, KnowWhenTheyTouch) {
-  const scene::Scene s = scene::parse_scene(R"(
-[run]
-end = 3e-3
-step = 6.1e-5
-integrator = "verlet"
-[rotor]
-speed = 0.0
-[rotor.modal]
-mass = [2.0]
-stiffness = [1e-6]
-damping = [0.0]
-[contact]
-radius = 0.05
-clearance = 2e-4
-friction = 0.0
-restitution = 1.0
-[contact.compliance]
-stiffness = 1e5
-[initial]
-vx = [0.1]
-)",
-                                            "made.toml");
-  const Trajectory run = run_with(s, scene::Integrator::kVerlet);
+  scene::Scene s = make_scene({.clearance = 2e-4, .restitution = 1.0});
+  s.first().contact->compliance = Compliance{.stiffness = 1e5};
+  s.initial.vx = {0.1};
+  s.run.end = 3e-3;
+  const Trajectory run = run_with(s, Integrator::kVerlet, 6.1e-5);
   ASSERT_FALSE(run.events.empty());
   EXPECT_EQ(run.events.front().kind, EventKind::kImpact);
   EXPECT_NEAR(run.events.front().t, 2e-3, 1e-9);

@@ -230,33 +230,16 @@ TEST(SeveralContacts, OnePressesTheOtherInTheBalanceOfALever) {
 // A second contact that is never reached changes nothing: also where the load presses so little
 // that the path from the circle begins inward.
 TEST(SeveralContacts, OneThatIsNeverReachedChangesNothing) {
-  const std::string text = R"([run]
-end = 0.1
-step = 1e-5
-[rotor]
-speed = 200.0
-[rotor.modal]
-mass = [2.0]
-stiffness = [6e4]
-damping = [20.0]
-[initial]
-x = [0.0005]
-vy = [0.1]
-[[force]]
-kind = "rotating"
-amplitude = 6.0
-frequency = 200.0
-[[contact]]
-radius = 0.05
-clearance = 0.0005
-friction = 0.1
-restitution = 0.5
-)";
-  const std::string far =
-      "[[contact]]\nradius = 0.05\nclearance = 0.1\nfriction = 0.1\nrestitution = 0.5\n";
-  const Trajectory one = test::run_with(scene::parse_scene(text, "one"), Integrator::kVerlet, 1e-5);
-  const Trajectory two =
-      test::run_with(scene::parse_scene(text + far, "two"), Integrator::kVerlet, 1e-5);
+  scene::Scene s = test::make_scene(
+      {.damping = 20.0, .stiffness = 6e4, .friction = 0.1, .restitution = 0.5, .speed = 200.0});
+  test::add_rotating_force(s, 6.0, 200.0);
+  s.initial.x = {0.5e-3};
+  s.initial.vy = {0.1};
+  s.run.end = 0.1;
+  const Trajectory one = test::run_with(s, Integrator::kVerlet);
+  s.auxiliary.push_back(s.first());
+  s.auxiliary[1].contact->clearance = 0.1;
+  const Trajectory two = test::run_with(s, Integrator::kVerlet);
   for (std::size_t k = 0; k < one.rows(); ++k) {
     EXPECT_NEAR(two.column("rotor_x")[k], one.column("rotor_x")[k], 1e-13);
   }
@@ -265,41 +248,16 @@ restitution = 0.5
 // A rotor rests on one ring, pressed by 1 N, and the other ring strikes it off within the first
 // step, which is half a kick: from there on it flies as a stone.
 TEST(SeveralContacts, AContactKnockedOpenInTheFirstStepPressesUntilThen) {
-  const scene::Scene s = scene::parse_scene(R"(
-[run]
-end = 5e-3
-step = 1e-3
-integrator = "verlet"
-[rotor]
-speed = 0.0
-[rotor.modal]
-mass = [1.0]
-stiffness = [1e-9]
-damping = [0.0]
-[[contact]]
-radius = 0.05
-clearance = 2e-4
-friction = 0.0
-restitution = 0.5
-[[contact]]
-radius = 0.05
-clearance = 2e-4
-friction = 0.0
-restitution = 0.5
-[contact.stator]
-mass = 1.0
-damping = 0.0
-stiffness = 1e-9
-position = [8e-5, 0.0]
-velocity = [-0.1, 0.0]
-[[force]]
-kind = "constant"
-vector = [1.0, 0.0]
-[initial]
-x = [2e-4]
-)",
-                                            "made.toml");
-  const Trajectory run = test::run_with(s, scene::Integrator::kVerlet, 1e-3);
+  scene::Scene s = test::make_scene({.mass = 1.0, .clearance = 2e-4, .restitution = 0.5});
+  s.auxiliary.push_back(s.first());
+  scene::Stator& ring = s.auxiliary[1].stator.emplace();
+  ring.mass = {1.0, 1.0};
+  ring.position = {8e-5, 0.0};
+  ring.velocity = {-0.1, 0.0};
+  test::add_constant_force(s, {1.0, 0.0});
+  s.initial.x = {2e-4};
+  s.run.end = 5e-3;
+  const Trajectory run = test::run_with(s, Integrator::kVerlet, 1e-3);
   ASSERT_EQ(run.impacts.size(), 1u);
   EXPECT_NEAR(run.impacts[0].t, 8e-4, 1e-12);
   const double flown = 5e-3 - 8e-4, off = 0.5 * (1.0 + 0.5) * 0.1;

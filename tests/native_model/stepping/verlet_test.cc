@@ -225,8 +225,8 @@ TEST(Verlet, AChordThatBeginsOutsideIsNoFlight) {
     start.q = Eigen::Vector2d(circle + outside, 0.0);
     start.v = Eigen::Vector2d(-3.737e-5, 0.28);
     VerletStepper stepper(model, h, start);
-    bool touches = stepper.step(0).normal_impulse > 0.0;
-    touches = stepper.step(1).normal_impulse > 0.0 || touches;
+    bool touches = stepper.step(0).contacts[0].normal_impulse > 0.0;
+    touches = stepper.step(1).contacts[0].normal_impulse > 0.0 || touches;
     EXPECT_TRUE(touches) << outside;
     EXPECT_NEAR(std::hypot(stepper.q()[0], stepper.q()[1]), circle, 1e-14) << outside;
   }

@@ -16,12 +16,10 @@ namespace {
 
 using Path = std::function<Eigen::VectorXd(double)>;
 
+// Without contact, for a model of one or two bearings.
 Snapshot snapshot(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
-  Snapshot s;
-  s.t = t;
-  s.q = q.data();
-  s.v = v.data();
-  return s;
+  static const ContactSnapshot flight[2];
+  return {t, q.data(), v.data(), flight};
 }
 
 // Feeds (q, v)(t) at k step for k = 0 .. steps; impact(k) says that step k had one.
@@ -111,10 +109,7 @@ TEST(Recorder, MeetsTheGapOfEveryContactAtTheStart) {
     Recorder recorder(m, {});
     recorder.statistics().contacts.resize(2);
     const Eigen::VectorXd q = Eigen::Vector2d(0.25e-3, 0.0), v = Eigen::Vector2d(0.0, 0.0);
-    const std::vector<ContactSnapshot> others(1);
-    Snapshot start = snapshot(0.0, q, v);
-    start.others = others;
-    recorder.begin(start);
+    recorder.begin(snapshot(0.0, q, v));
     const Statistics found = recorder.finish(0.0).statistics;
     EXPECT_NEAR(found.least_gap, 0.05e-3, 1e-18);
     EXPECT_NEAR(found.contacts[narrow].least_gap, 0.05e-3, 1e-18);
