@@ -10,19 +10,12 @@
 #include <string_view>
 
 #include "compare/peers/peers.h"
-#include "native_model/run/run_native.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/text.h"
 #include "native_model/scene/units.h"
 
 namespace rotorub::bench {
 namespace {
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 // Entries in descending order without repetitions. wrong: why a value is refused, or empty.
 std::vector<double> parse_list(const char* option, const std::string& list,
@@ -31,7 +24,7 @@ std::vector<double> parse_list(const char* option, const std::string& list,
   std::vector<double> values;
   std::istringstream entries(list + ",");  // so that the last entry ends with a comma too
   for (std::string entry; std::getline(entries, entry, ',');) {
-    const std::string text = trimmed(entry);
+    const std::string text(scene::trimmed(entry));
     const auto parsed = scene::parse_quantity(text, quantity);
     const std::string why = parsed.error.empty() ? wrong(parsed.value) : parsed.error;
     if (!why.empty()) {
@@ -39,29 +32,10 @@ std::vector<double> parse_list(const char* option, const std::string& list,
     }
     values.push_back(parsed.value);
   }
-  if (values.empty()) throw std::invalid_argument(fmt::format("{}: the list is empty", option));
   std::sort(values.begin(), values.end(), std::greater<>());
   values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
-
-class EventEngine final : public Engine {
- public:
-  explicit EventEngine(const EventParameters& parameters) : parameters_(parameters) {}
-  std::string name() const override { return "native-event"; }
-  Trajectory run(const scene::Scene& scene, const RunRequest& request) const override {
-    NativeOptions options;
-    options.integrator = scene::Integrator::kEvent;
-    options.event = parameters_;
-    options.output_times = request.output_times;
-    options.progress = request.progress;
-    options.interrupt = request.interrupt;
-    return run_native(perturbed(scene, request.perturbation_ulps), options);
-  }
-
- private:
-  EventParameters parameters_;
-};
 
 using Variants = std::vector<BenchEngine::Variant>;
 
@@ -143,10 +117,6 @@ EventParameters event_parameters(double tolerance) {
   p.tolerance = tolerance;
   p.no_force = std::max(standard.no_force, 100.0 * tolerance);
   return p;
-}
-
-std::unique_ptr<Engine> event_engine(const EventParameters& parameters) {
-  return std::make_unique<EventEngine>(parameters);
 }
 
 const char* to_string(Family family) {

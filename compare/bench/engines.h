@@ -52,9 +52,6 @@ std::vector<double> parse_tolerances(const std::string& list);
 // thresholds for 0 scale with the tolerance.
 EventParameters event_parameters(double tolerance);
 
-// Ignores RunRequest::step: forces are averaged over the bins of the parameters.
-std::unique_ptr<Engine> event_engine(const EventParameters& parameters);
-
 enum class Family { kNative, kMujoco, kPeer };
 const char* to_string(Family family);
 

@@ -110,7 +110,7 @@ Attempt attempt(const Engine& engine, const scene::Scene& scene, const RunReques
 
 // A run of `event` at the tightest tolerance that round-off permits; empty if it fails.
 std::optional<Trajectory> reference_of(const scene::Scene& scene, const RunRequest& request) {
-  const auto engine = bench::event_engine(bench::event_parameters(bench::kReferenceTolerance));
+  const auto engine = event_engine(bench::event_parameters(bench::kReferenceTolerance));
   try {
     Trajectory run = engine->run(scene, request);
     if (run.status == Status::kOk) return run;

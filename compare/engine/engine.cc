@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 
 #include "compare/engine/mujoco_engine.h"
+#include "native_model/event/parameters.h"
 #include "native_model/prepare/prepare.h"
 #include "native_model/run/run_native.h"
 #include "native_model/trajectory/recorder.h"
@@ -17,7 +20,8 @@ namespace {
 
 class NativeEngine final : public Engine {
  public:
-  explicit NativeEngine(scene::Integrator integrator) : integrator_(integrator) {}
+  explicit NativeEngine(scene::Integrator integrator, std::optional<EventParameters> event = {})
+      : integrator_(integrator), event_(std::move(event)) {}
   std::string name() const override { return std::string("native-") + to_string(integrator_); }
   Trajectory run(const scene::Scene& scene, const RunRequest& request) const override {
     if (request.watch) throw std::invalid_argument("a native run has no step to watch");
@@ -28,11 +32,13 @@ class NativeEngine final : public Engine {
     options.progress = request.progress;
     options.interrupt = request.interrupt;
     options.commands = request.commands;
+    options.event = event_;
     return finite(run_native(perturbed(scene, request.perturbation_ulps), options));
   }
 
  private:
   scene::Integrator integrator_;
+  std::optional<EventParameters> event_;
 };
 
 class MujocoEngine final : public Engine {
@@ -49,6 +55,8 @@ class MujocoEngine final : public Engine {
  private:
   scene::ContactModel contact_;
 };
+
+constexpr const char* kIntegrators[] = {"event", "verlet", "euler"};  // in the order of the enum
 
 class DefaultConeEngine final : public Engine {
  public:
@@ -93,6 +101,10 @@ std::unique_ptr<Engine> native_engine(scene::Integrator integrator) {
   return std::make_unique<NativeEngine>(integrator);
 }
 
+std::unique_ptr<Engine> event_engine(const EventParameters& parameters) {
+  return std::make_unique<NativeEngine>(scene::Integrator::kEvent, parameters);
+}
+
 std::unique_ptr<Engine> mujoco_engine(scene::ContactModel contact) {
   return std::make_unique<MujocoEngine>(contact);
 }
@@ -104,23 +116,13 @@ std::string solref_text(double first, double second) {
 }
 
 const char* to_string(scene::Integrator integrator) {
-  switch (integrator) {
-    case scene::Integrator::kEvent:
-      return "event";
-    case scene::Integrator::kVerlet:
-      return "verlet";
-    case scene::Integrator::kEuler:
-      return "euler";
-  }
-  return "";
+  return kIntegrators[static_cast<std::size_t>(integrator)];
 }
 
 std::optional<scene::Integrator> integrator_named(std::string_view name) {
-  using enum scene::Integrator;
-  for (const scene::Integrator one : {kEvent, kVerlet, kEuler}) {
-    if (name == to_string(one)) return one;
-  }
-  return std::nullopt;
+  const auto found = std::ranges::find(kIntegrators, name);
+  if (found == std::end(kIntegrators)) return std::nullopt;
+  return static_cast<scene::Integrator>(found - std::begin(kIntegrators));
 }
 
 scene::Scene perturbed(const scene::Scene& scene, int ulps) {

@@ -17,6 +17,8 @@
 
 namespace rotorub {
 
+struct EventParameters;
+
 // A watch receives this for every step k of a MuJoCo run, from t = k h to t + h. MuJoCo's Euler
 // step is a leapfrog: its velocities lag its positions by half a step, and a force of the step acts
 // around t, from t - h/2 to t + h/2 (native_model/stepping/verlet.h).
@@ -70,6 +72,8 @@ class Engine {
 Trajectory finite(Trajectory trajectory);
 
 std::unique_ptr<Engine> native_engine(scene::Integrator integrator);
+// `event` with these parameters, over whose bins forces are averaged, whatever RunRequest::step is.
+std::unique_ptr<Engine> event_engine(const EventParameters& parameters);
 std::unique_ptr<Engine> mujoco_engine(scene::ContactModel contact);
 // MuJoCo's default solref: a time constant and a damping ratio.
 struct DefaultSolref {

@@ -95,12 +95,6 @@ AnswerRow answer_row(const SceneComparison& c, const ComparedModel& m) {
           plain_reason(c, m), m.run.timing.median, c.decides(m),        evidence_of(c, m)};
 }
 
-std::vector<AnswerRow> answer(const SceneComparison& c) {
-  std::vector<AnswerRow> rows;
-  for (const ComparedModel& m : c.models) rows.push_back(answer_row(c, m));
-  return rows;
-}
-
 std::vector<const ComparedModel*> reading_order(const SceneComparison& c) {
   std::vector<const ComparedModel*> order;
   for (const ComparedModel& m : c.models) order.push_back(&m);

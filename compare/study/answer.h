@@ -29,8 +29,6 @@ struct AnswerRow {
 };
 
 AnswerRow answer_row(const SceneComparison& comparison, const ComparedModel& model);
-// In the order of the models.
-std::vector<AnswerRow> answer(const SceneComparison& comparison);
 
 // The models in the order of kContactKinds.
 std::vector<const ComparedModel*> reading_order(const SceneComparison& comparison);

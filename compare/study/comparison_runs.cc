@@ -48,6 +48,12 @@ std::shared_ptr<const CommandRecord> commands_of(const Trajectory& t, double ste
 
 }  // namespace
 
+StepWatch recording(std::shared_ptr<CommandRecord> record) {
+  return [record = std::move(record)](const WatchedStep& step) {
+    record->add(step.command_begin, step.command);
+  };
+}
+
 std::string cone_refusal(const scene::Scene& scene, bool own) {
   const bool falls = std::ranges::any_of(scene.auxiliary, [](const auto& bearing) {
     return bearing.contact && !bearing.contact->friction.is_constant();

@@ -27,19 +27,8 @@ struct Rung {
 };
 using Ladder = std::array<Rung, kRungs>;  // [0] is unused, because the side holds its figures
 
-// Records the actuator's commands over a run; each acts until the next one.
-class CommandTape {
- public:
-  // Use it for one run; the tape must outlive that run.
-  StepWatch watch() {
-    return [this](const WatchedStep& step) { add(step); };
-  }
-  void add(const WatchedStep& step) { record_->add(step.command_begin, step.command); }
-  std::shared_ptr<const CommandRecord> record() const { return record_; }
-
- private:
-  std::shared_ptr<CommandRecord> record_ = std::make_shared<CommandRecord>();
-};
+// Records the actuator's commands over one run; each acts until the next one.
+StepWatch recording(std::shared_ptr<CommandRecord> record);
 
 // One engine of a comparison, and its runs.
 struct Contestant {
@@ -47,12 +36,13 @@ struct Contestant {
   std::unique_ptr<Engine> engine;
   // Work of one run at the scene's step relative to a native run, for the progress bar.
   double work;
-  bool climbs = true;                       // whether it also runs at smaller steps
-  Side* side = nullptr;                     // its run that is shown
-  ComparedModel* model = nullptr;           // null: native
-  std::array<CommandTape, kRungs> tapes{};  // of its run on each rung
-  Ladder ladder{}, native_ladder{};         // native: driven by the commands of its runs
-  std::optional<OnsetWatch> onsets{};       // only in resync
+  bool climbs = true;              // whether it also runs at smaller steps
+  Side* side = nullptr;            // its run that is shown
+  ComparedModel* model = nullptr;  // null: native
+  // The commands of its run on each rung.
+  std::array<std::shared_ptr<CommandRecord>, kRungs> commands{};
+  Ladder ladder{}, native_ladder{};    // native: driven by the commands of its runs
+  std::optional<OnsetWatch> onsets{};  // only in resync
 };
 
 inline constexpr double kNativeWork = 1.0;

@@ -78,6 +78,7 @@ class Comparison {
       Contestant& who = all_[k];
       if (k > 0) who.model = &result_.models[k - 1];
       who.side = who.model ? &who.model->run : &result_.native;
+      for (auto& commands : who.commands) commands = std::make_shared<CommandRecord>();
       if (resyncs()) who.onsets.emplace(model_);
       if (k > 1 && replays()) who.model->native.emplace();
     }
@@ -109,7 +110,7 @@ class Comparison {
     return who.model && who.model->native ? *who.model->native : result_.native;
   }
   std::shared_ptr<const CommandRecord> commands(const Contestant& who, std::size_t rung = 0) const {
-    return result_.commands ? who.tapes[rung].record() : nullptr;
+    return result_.commands ? who.commands[rung] : nullptr;
   }
   // The commands of the deciding model, which drive the native run that is shown; null if nothing
   // is replayed.
@@ -129,8 +130,8 @@ class Comparison {
       }
       if (runner_.interrupted()) return;
       RunRequest request;
-      request.watch = [this, &who](const WatchedStep& step) {
-        if (result_.commands) who.tapes[0].add(step);
+      request.watch = [this, &who, record = recording(who.commands[0])](const WatchedStep& step) {
+        if (result_.commands) record(step);
         if (who.onsets) who.onsets->step(step);
       };
       *who.side = runner_.shown(who, std::move(request));
@@ -270,7 +271,7 @@ class Comparison {
         if (!is_needed(who, rung)) return;
         RunRequest request;
         request.output_times = times_;
-        if (replays()) request.watch = who.tapes[rung].watch();
+        if (replays()) request.watch = recording(who.commands[rung]);
         who.ladder[rung] = run_rung(runner_, who, rung, request);
         if (!replays() || native_of(who).trajectory.status != Status::kOk) return;
         // Driven by the commands of its own MuJoCo run at that step.

@@ -25,7 +25,8 @@ Twins run_twins(const Engine& engine, const scene::Scene& scene, const Trajector
   };
 
   const auto tell = [&](double count) {
-    if (parameters.progress) parameters.progress(count / std::max(1.0, parameters.count * 1.0));
+    if (parameters.progress)
+      parameters.progress(count / std::max(1.0, static_cast<double>(parameters.count)));
   };
   std::size_t first = 0;
   while (first < most && !(parameters.enough && parameters.enough(twins))) {

@@ -58,9 +58,6 @@ class Region {
   using Line = std::vector<const Settlement*>;  // the points of a grid along one key
 
   bool is_inside(const Settlement* s) const { return s->attractor == attractor_; }
-  bool has_numbers(std::size_t k) const {
-    return std::ranges::all_of(all_, [k](const Settlement& s) { return s.values[k].has_value(); });
-  }
 
   // The lines along key k, by the first point that they would have.
   std::map<std::int64_t, Line> lines_along(std::size_t k) const {
@@ -75,7 +72,7 @@ class Region {
   // "bouncing from contact.friction = 0.2 up, at every rotor.speed"; empty if the region has
   // another form. is_upper: it lies above its bound.
   std::string bounded_text(std::size_t k, bool is_upper) const {
-    if (study_.kind != SampleKind::kGrid || !has_numbers(k)) return "";
+    if (study_.kind != SampleKind::kGrid || !study_.vary[k].has_numbers()) return "";
     const Settlement *least = nullptr, *most = nullptr;
     bool is_cut = false, is_over = false, is_partial = false;
     for (auto& [first, line] : lines_along(k)) {
@@ -116,7 +113,7 @@ class Region {
 
   // "rotor.speed 35 Hz to 80 Hz"; empty if the key takes all its values here, or words.
   std::string range_text(std::size_t k) const {
-    if (!has_numbers(k)) return "";
+    if (!study_.vary[k].has_numbers()) return "";
     const auto number = [k](const Settlement& s) { return s.values[k]; };
     const auto of_inside = [&](const Settlement* s) { return number(*s); };
     const auto [low, high] = std::ranges::minmax(inside_, {}, of_inside);

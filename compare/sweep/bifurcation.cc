@@ -104,9 +104,7 @@ std::string reason_not_continued(const PointScenes& scenes) {
 std::string no_bifurcation(const Study& study) {
   if (study.vary.size() != 1) return "a bifurcation diagram is over one [[vary]] alone";
   if (study.engine != EngineKind::kNative) return "a bifurcation diagram is of native runs alone";
-  if (std::ranges::any_of(study.vary.front().values,
-                          [](const Value& value) { return !value.number.has_value(); }))
-    return "a bifurcation diagram is over numbers alone";
+  if (!study.vary.front().has_numbers()) return "a bifurcation diagram is over numbers alone";
   return {};
 }
 

@@ -12,9 +12,7 @@ namespace {
 std::optional<std::size_t> friction_key(const Study& study) {
   for (std::size_t k = 0; k < study.vary.size(); ++k) {
     const Vary& vary = study.vary[k];
-    const bool numbers = std::all_of(vary.values.begin(), vary.values.end(),
-                                     [](const Value& value) { return value.number.has_value(); });
-    if (vary.key == "contact.friction" && vary.also.empty() && numbers) return k;
+    if (vary.key == "contact.friction" && vary.also.empty() && vary.has_numbers()) return k;
   }
   return {};
 }

@@ -1,7 +1,6 @@
 #include "compare/sweep/point_result.h"
 
 #include <nlohmann/json.hpp>
-#include <string>
 #include <vector>
 
 #include "compare/figures/figure.h"

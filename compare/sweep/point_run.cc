@@ -8,18 +8,6 @@
 #include "compare/sweep/sample.h"
 
 namespace rotorub::sweep {
-namespace {
-
-PointResult refused_point(std::int64_t point, std::string reason) {
-  PointResult result;
-  result.point = point;
-  result.status = kRefused;
-  result.reason = std::move(reason);
-  return result;
-}
-
-}  // namespace
-
 std::unique_ptr<Engine> engine_of(const Study& study, const scene::Scene& scene) {
   if (study.engine == EngineKind::kMujoco) {
     return mujoco_engine(study.contact.value_or(scene.mujoco.contact));
@@ -40,43 +28,39 @@ std::optional<std::string> refusal_of(const std::function<void()>& work) {
   }
 }
 
-std::optional<PointResult> run_single(std::int64_t point, const scene::Scene& scene,
-                                      const Engine& engine, const std::atomic<bool>& interrupt) {
-  RunRequest request;
-  request.interrupt = &interrupt;
-  // Rows that show where the run has settled.
-  constexpr std::size_t kSettledRows = 41;
-  const double end = scene.run.end;
-  request.output_times = even_times((1.0 - kSettledShare) * end, end, kSettledRows);
-  request.output_times->back() = end;
-  PointResult result;
-  result.point = point;
-  bool interrupted = false;
-  const auto refused = refusal_of([&] {
-    const Trajectory trajectory = engine.run(scene, request);
-    interrupted = trajectory.status == Status::kInterrupted;
-    result.status = to_string(trajectory.status);
-    result.reason = trajectory.message;
-    if (trajectory.status != Status::kOk) return;
-    result.reason.clear();
-    result.figures = totals(trajectory);
-    result.figures->settled = settled(trajectory);
-  });
-  if (interrupted) return std::nullopt;
-  if (refused) return refused_point(point, *refused);
-  return result;
-}
-
 std::optional<PointResult> run_point(const Study& study, std::int64_t point,
                                      const SceneOfPoint& scene_at,
                                      const std::atomic<bool>& interrupt) {
   if (interrupt) return std::nullopt;
-  try {
+  PointResult result;
+  result.point = point;
+  bool interrupted = false;
+  const auto refused = refusal_of([&] {
     const scene::Scene scene = scene_at(point);
-    return run_single(point, scene, *engine_of(study, scene), interrupt);
-  } catch (const scene::SceneError& error) {
-    return refused_point(point, reason_of(error));
+    RunRequest request;
+    request.interrupt = &interrupt;
+    // Rows that show where the run has settled.
+    constexpr std::size_t kSettledRows = 41;
+    const double end = scene.run.end;
+    request.output_times = even_times((1.0 - kSettledShare) * end, end, kSettledRows);
+    request.output_times->back() = end;
+    const Trajectory trajectory = engine_of(study, scene)->run(scene, request);
+    interrupted = trajectory.status == Status::kInterrupted;
+    result.status = to_string(trajectory.status);
+    if (trajectory.status != Status::kOk) {
+      result.reason = trajectory.message;
+      return;
+    }
+    result.figures = totals(trajectory);
+    result.figures->settled = settled(trajectory);
+  });
+  if (interrupted) return std::nullopt;
+  if (refused) {
+    result.status = kRefused;
+    result.reason = *refused;
+    result.figures.reset();
   }
+  return result;
 }
 
 std::vector<PointResult> run_points(const Study& study, std::int64_t count,

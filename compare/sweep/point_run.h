@@ -21,14 +21,11 @@ std::unique_ptr<Engine> engine_of(const Study& study, const scene::Scene& scene)
 // Why a scene or an engine refuses `work`; empty if it does not.
 std::optional<std::string> refusal_of(const std::function<void()>& work);
 
-// Empty if interrupted. A scene that the engine refuses is also a result.
-std::optional<PointResult> run_single(std::int64_t point, const scene::Scene& scene,
-                                      const Engine& engine, const std::atomic<bool>& interrupt);
-
 using SceneOfPoint =
     std::function<scene::Scene(std::int64_t point)>;  // thread safe; throws scene::SceneError
 
-// The same for a point of a study, whose values may not make a valid scene either.
+// Empty if interrupted. Values that make no valid scene, and a scene that the engine refuses, are
+// also a result.
 std::optional<PointResult> run_point(const Study& study, std::int64_t point,
                                      const SceneOfPoint& scene_at,
                                      const std::atomic<bool>& interrupt);

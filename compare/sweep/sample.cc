@@ -9,6 +9,7 @@
 #include <cmath>
 #include <optional>
 
+#include "compare/sweep/study_reader.h"
 #include "native_model/model/model.h"
 #include "native_model/prepare/prepare.h"
 #include "native_model/scene/overrides.h"
@@ -74,7 +75,7 @@ std::vector<std::uint64_t> Sobol::at(std::int64_t index) const {
 
 namespace {
 
-Value number(double value) { return {fmt::format("{}", value), value}; }
+Value number(double value) { return {number_text(value), value}; }
 
 // A number in [0, 1) from the upper 53 bits.
 double unit(std::uint64_t bits) { return static_cast<double>(bits >> 11u) * 0x1p-53; }
@@ -194,10 +195,6 @@ PointScenes::PointScenes(const Study& study, std::span<const std::string> overri
     twice.push_back({scene::kOverrideFile, 0, key, "varies in the study; set another key"});
   }
   if (!twice.empty()) throw scene::SceneError(std::move(twice));
-}
-
-scene::Scene PointScenes::at(std::int64_t index) const {
-  return scene_at(index, study_->engine == EngineKind::kMujoco);
 }
 
 std::vector<std::string> changes_of(const Study& study, const std::vector<Value>& values) {

@@ -99,7 +99,9 @@ class PointScenes {
   const std::string& scene_text() const { return variants_.text(); }
 
   // Thread safe. Throws scene::SceneError.
-  scene::Scene at(std::int64_t index) const;
+  scene::Scene at(std::int64_t index) const {
+    return scene_at(index, study_->engine == EngineKind::kMujoco);
+  }
   // With its text, also for a native study: for a scene that is saved.
   scene::Scene whole_at(std::int64_t index) const { return scene_at(index, true); }
 

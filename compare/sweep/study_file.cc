@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "compare/sweep/point_result.h"
 #include "compare/sweep/study_reader.h"
@@ -285,6 +284,10 @@ class StudyReader {
 };
 
 }  // namespace
+
+bool Vary::has_numbers() const {
+  return std::ranges::all_of(values, [](const Value& value) { return value.number.has_value(); });
+}
 
 bool Study::varies(const std::string& key) const {
   return std::any_of(vary.begin(), vary.end(), [&](const Vary& v) {

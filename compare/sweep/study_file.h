@@ -33,6 +33,8 @@ struct Vary {
   std::optional<Distribution> distribution;  // in a study that draws its points
   std::optional<double> start;               // of an optimisation, SI, in [from, to]
   std::string unit;                          // SI, for headings; empty if none
+
+  bool has_numbers() const;  // false if a value is a word, a flag or a list
 };
 
 enum class SampleKind { kGrid, kLatinHypercube, kList, kRandom, kSobol };

@@ -1,6 +1,7 @@
 #include "compare/tune/setting.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
@@ -35,84 +36,53 @@ std::string override_of(const KeyValue& v) {
 
 bool is_soft(const Setting& setting) { return setting.contact != ContactModel::kRigid; }
 
-// Start of a comment outside of strings; npos: none.
-std::size_t comment_of(std::string_view line) {
-  char quote = 0;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (quote == '"' && c == '\\') {
-      ++i;
-    } else if (quote != 0) {
-      if (c == quote) quote = 0;
-    } else if (c == '"' || c == '\'') {
-      quote = c;
-    } else if (c == '#') {
-      return i;
-    }
-  }
-  return std::string_view::npos;
-}
-
-std::string_view without_comment(std::string_view line) {
-  return trimmed(line.substr(0, comment_of(line)));
-}
-
-bool is_header(std::string_view line) { return trimmed(line).starts_with('['); }
-
 using Lines = std::vector<std::string>;
 
-// The lines of a table without its header.
-struct Table {
-  std::size_t first = 0, last = 0;
-};
-std::optional<Table> find_table(const Lines& lines, const std::string& name) {
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    if (without_comment(lines[k]) != "[" + name + "]") continue;
-    Table table{k + 1, k + 1};
-    while (table.last < lines.size() && !is_header(lines[table.last])) ++table.last;
-    return table;
-  }
-  return std::nullopt;
+std::string joined(const Lines& lines) {
+  return lines.empty() ? "" : fmt::format("{}\n", fmt::join(lines, "\n"));
 }
 
-std::optional<std::size_t> find_key(const Lines& lines, const Table& table,
-                                    const std::string& key) {
-  for (std::size_t k = table.first; k < table.last; ++k) {
-    const std::string_view line = without_comment(lines[k]);
-    const std::size_t equals = line.find('=');
-    if (equals != std::string_view::npos && trimmed(line.substr(0, equals)) == key) return k;
-  }
-  return std::nullopt;
+// The places of a table and of a key in it: numbers of lines from 1, 0 if absent. end: the last
+// line of the table's last key, or its header.
+struct Place {
+  std::size_t table = 0, key = 0, end = 0;
+};
+Place place_of(const Lines& lines, const KeyValue& entry) {
+  std::vector<scene::Diagnostic> none;
+  const auto root = scene::parse_toml(joined(lines), "", none);
+  const scene::TomlNode* table = root ? root->find(entry.table) : nullptr;
+  if (!table) return {};
+  const auto line = [](const scene::TomlNode* node) {
+    return node ? static_cast<std::size_t>(node->line) : 0;
+  };
+  Place place{line(table), line(table->find(entry.key)), line(table)};
+  for (const auto& [name, value] : table->entries) place.end = std::max(place.end, line(&value));
+  // A value may continue on further lines.
+  const auto is_value = [](std::string_view text) {
+    return !text.empty() && text.front() != '#' && text.front() != '[';
+  };
+  while (place.end < lines.size() && is_value(trimmed(lines[place.end]))) ++place.end;
+  return place;
 }
 
 void put(Lines& lines, const KeyValue& entry) {
   const std::string text = entry.key + " = " + entry.value;
   const bool wanted = !entry.is_default && !entry.value.empty();
-  auto table = find_table(lines, entry.table);
-  if (!table) {
-    if (!wanted) return;
+  const Place place = place_of(lines, entry);
+  const auto at = [&](std::size_t k) { return lines.begin() + static_cast<std::ptrdiff_t>(k); };
+  if (place.key > 0 && entry.value.empty()) {
+    lines.erase(at(place.key - 1));
+  } else if (place.key > 0) {
+    // No value of these keys contains a #.
+    std::string& line = lines[place.key - 1];
+    const std::size_t comment = line.find('#');
+    line = text + (comment == std::string::npos ? "" : "  " + line.substr(comment));
+  } else if (wanted && place.table > 0) {
+    lines.insert(at(place.end), text);
+  } else if (wanted) {
     if (!lines.empty() && !trimmed(lines.back()).empty()) lines.emplace_back();
-    lines.push_back("[" + entry.table + "]");
-    lines.push_back(text);
-    return;
+    lines.insert(lines.end(), {"[" + entry.table + "]", text});
   }
-  const auto at = [](std::size_t k) { return static_cast<std::ptrdiff_t>(k); };
-  if (const auto line = find_key(lines, *table, entry.key)) {
-    if (entry.value.empty()) {
-      lines.erase(lines.begin() + at(*line));
-      return;
-    }
-    const std::size_t comment = comment_of(lines[*line]);
-    lines[*line] = text + (comment == std::string::npos ? "" : "  " + lines[*line].substr(comment));
-    return;
-  }
-  // After the last line of the table with content; the lines that follow may belong to the next
-  // table.
-  std::size_t end = table->first;
-  for (std::size_t k = table->first; k < table->last; ++k) {
-    if (!without_comment(lines[k]).empty()) end = k + 1;
-  }
-  if (wanted) lines.insert(lines.begin() + at(end), text);
 }
 
 bool reads_as(const std::string& toml, const std::string& name, const Setting& setting) {
@@ -217,9 +187,7 @@ std::string with_values(const std::string& toml, const std::vector<KeyValue>& va
   std::istringstream in(toml);
   for (std::string line; std::getline(in, line);) lines.push_back(line);
   for (const KeyValue& entry : values) put(lines, entry);
-  std::string text;
-  for (const std::string& line : lines) text += line + "\n";
-  return text;
+  return joined(lines);
 }
 
 TunedText tuned_text(const std::string& toml, const std::string& name, const Setting& setting) {

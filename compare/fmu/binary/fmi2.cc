@@ -7,10 +7,13 @@
 
 namespace {
 
+using rotorub::fmi::call;
 using rotorub::fmi::Instance;
 using rotorub::fmi::kDiscard;
 using rotorub::fmi::kError;
 using rotorub::fmi::kOK;
+using rotorub::fmi::not_offered;
+using rotorub::fmi::of;
 using rotorub::fmi::Status;
 using rotorub::fmi::ValueReference;
 
@@ -22,12 +25,6 @@ struct Callbacks {
   void (*step_finished)(void*, Status);
   void* environment;
 };
-
-Instance* of(void* instance) { return static_cast<Instance*>(instance); }
-
-Status not_offered(void* instance, const char* function) {
-  return of(instance)->refuse(std::string(function) + " is for what this FMU does not offer");
-}
 
 // The folder of a location: file:///folder or file:/folder, with %20 for a blank.
 std::string folder_of(std::string location) {
@@ -83,39 +80,36 @@ FMI2(void, FreeInstance, void* instance) { delete of(instance); }
 
 FMI2(Status, SetupExperiment, void* instance, int, double, double start, int has_stop,
      double stop) {
-  return of(instance)->guarded(
-      [&] { return of(instance)->enter_initialization(start, has_stop != 0, stop); });
+  return call(instance, &Instance::enter_initialization, start, has_stop != 0, stop);
 }
 FMI2(Status, EnterInitializationMode, void*) { return kOK; }
 FMI2(Status, ExitInitializationMode, void* instance) {
-  return of(instance)->guarded([&] { return of(instance)->exit_initialization(); });
+  return call(instance, &Instance::exit_initialization);
 }
 FMI2(Status, Terminate, void*) { return kOK; }
-FMI2(Status, Reset, void* instance) {
-  return of(instance)->guarded([&] { return of(instance)->reset(); });
-}
+FMI2(Status, Reset, void* instance) { return call(instance, &Instance::reset); }
 
 FMI2(Status, GetReal, void* instance, const ValueReference* references, size_t count,
      double* values) {
-  return of(instance)->guarded([&] { return of(instance)->get(references, count, values); });
+  return call(instance, &Instance::get<double>, references, count, values);
 }
 FMI2(Status, GetInteger, void* instance, const ValueReference* references, size_t count,
      std::int32_t* values) {
-  return of(instance)->guarded([&] { return of(instance)->get(references, count, values); });
+  return call(instance, &Instance::get<std::int32_t>, references, count, values);
 }
 FMI2(Status, SetReal, void* instance, const ValueReference* references, size_t count,
      const double* values) {
-  return of(instance)->guarded([&] { return of(instance)->set(references, count, values); });
+  return call(instance, &Instance::set, references, count, values);
 }
 FMI2(Status, DoStep, void* instance, double from, double length, int) {
-  return of(instance)->guarded([&] { return of(instance)->do_step(from, length, false); });
+  return call(instance, &Instance::do_step, from, length, false);
 }
 
 FMI2(Status, GetFMUstate, void* instance, void** state) {
-  return of(instance)->guarded([&] { return of(instance)->save(state); });
+  return call(instance, &Instance::save, state);
 }
 FMI2(Status, SetFMUstate, void* instance, void* state) {
-  return of(instance)->guarded([&] { return of(instance)->restore(state); });
+  return call(instance, &Instance::restore, state);
 }
 FMI2(Status, FreeFMUstate, void*, void** state) {
   Instance::forget(state);

@@ -7,21 +7,18 @@
 
 namespace {
 
+using rotorub::fmi::call;
 using rotorub::fmi::Instance;
 using rotorub::fmi::kError;
 using rotorub::fmi::kOK;
+using rotorub::fmi::not_offered;
+using rotorub::fmi::of;
 using rotorub::fmi::Status;
 using rotorub::fmi::ValueReference;
 
 using LogMessage = void (*)(void* environment, Status status, const char* category,
                             const char* message);
 using IntermediateUpdate = void (*)(void*, double, bool, bool, bool, bool, bool*, double*);
-
-Instance* of(void* instance) { return static_cast<Instance*>(instance); }
-
-Status not_offered(void* instance, const char* function) {
-  return of(instance)->refuse(std::string(function) + " is for what this FMU does not offer");
-}
 
 }  // namespace
 
@@ -65,29 +62,26 @@ FMI3(Status, SetDebugLogging, void*, bool, size_t, const char* const*) { return 
 
 FMI3(Status, EnterInitializationMode, void* instance, bool, double, double start, bool has_stop,
      double stop) {
-  return of(instance)->guarded(
-      [&] { return of(instance)->enter_initialization(start, has_stop, stop); });
+  return call(instance, &Instance::enter_initialization, start, has_stop, stop);
 }
 FMI3(Status, ExitInitializationMode, void* instance) {
-  return of(instance)->guarded([&] { return of(instance)->exit_initialization(); });
+  return call(instance, &Instance::exit_initialization);
 }
 FMI3(Status, Terminate, void*) { return kOK; }
-FMI3(Status, Reset, void* instance) {
-  return of(instance)->guarded([&] { return of(instance)->reset(); });
-}
+FMI3(Status, Reset, void* instance) { return call(instance, &Instance::reset); }
 
 // ------------------------------------------------------------------ values
 FMI3(Status, GetFloat64, void* instance, const ValueReference* references, size_t count,
      double* values, size_t) {
-  return of(instance)->guarded([&] { return of(instance)->get(references, count, values); });
+  return call(instance, &Instance::get<double>, references, count, values);
 }
 FMI3(Status, GetInt32, void* instance, const ValueReference* references, size_t count,
      std::int32_t* values, size_t) {
-  return of(instance)->guarded([&] { return of(instance)->get(references, count, values); });
+  return call(instance, &Instance::get<std::int32_t>, references, count, values);
 }
 FMI3(Status, SetFloat64, void* instance, const ValueReference* references, size_t count,
      const double* values, size_t) {
-  return of(instance)->guarded([&] { return of(instance)->set(references, count, values); });
+  return call(instance, &Instance::set, references, count, values);
 }
 NO_VARIABLES(GetFloat32, float*, size_t)
 NO_VARIABLES(GetInt8, std::int8_t*, size_t)
@@ -127,15 +121,15 @@ FMI3(Status, UpdateDiscreteStates, void* instance, bool* need_update, bool* term
      bool* nominals_changed, bool* values_changed, bool* has_next_event, double* next_event) {
   *need_update = *terminate = *nominals_changed = *values_changed = *has_next_event = false;
   *next_event = std::numeric_limits<double>::infinity();
-  return of(instance)->guarded([&] { return of(instance)->pass_event(); });
+  return call(instance, &Instance::pass_event);
 }
 FMI3(Status, EvaluateDiscreteStates, void*) { return kOK; }
 
 FMI3(Status, DoStep, void* instance, double from, double length, bool, bool* event_handling,
      bool* terminate, bool* early_return, double* last_time) {
   Instance& plant = *of(instance);
-  const Status status = plant.guarded(
-      [&] { return plant.do_step(from, length, plant.event_mode && plant.early_return); });
+  const Status status =
+      call(instance, &Instance::do_step, from, length, plant.event_mode && plant.early_return);
   *terminate = false;
   *last_time = plant.time();
   *event_handling = plant.event_waits();
@@ -145,10 +139,10 @@ FMI3(Status, DoStep, void* instance, double from, double length, bool, bool* eve
 
 // ------------------------------------------------------------------ states
 FMI3(Status, GetFMUState, void* instance, void** state) {
-  return of(instance)->guarded([&] { return of(instance)->save(state); });
+  return call(instance, &Instance::save, state);
 }
 FMI3(Status, SetFMUState, void* instance, void* state) {
-  return of(instance)->guarded([&] { return of(instance)->restore(state); });
+  return call(instance, &Instance::restore, state);
 }
 FMI3(Status, FreeFMUState, void*, void** state) {
   Instance::forget(state);

@@ -29,15 +29,6 @@ class Instance {
   // refused if it belongs to a different scene. Throws std::exception.
   Instance(const std::filesystem::path& resources, const std::string& token, Log log);
 
-  // Runs `action`; an exception becomes an error that is logged.
-  template <class Action>
-  Status guarded(Action action) {
-    try {
-      return action();
-    } catch (const std::exception& error) {
-      return refuse(error.what());
-    }
-  }
   Status refuse(const std::string& why) const {
     log_(kError, why);
     return kError;
@@ -94,5 +85,21 @@ class Instance {
   bool initialized_ = false;    // parameters are fixed
   bool changed_ = false;        // one of them has been set since the run began
 };
+
+inline Instance* of(void* instance) { return static_cast<Instance*>(instance); }
+
+// Calls a function of the instance; an exception becomes an error that is logged.
+template <class Function, class... Arguments>
+Status call(void* instance, Function function, Arguments... arguments) {
+  try {
+    return std::invoke(function, of(instance), arguments...);
+  } catch (const std::exception& error) {
+    return of(instance)->refuse(error.what());
+  }
+}
+
+inline Status not_offered(void* instance, const char* function) {
+  return of(instance)->refuse(std::string(function) + " is for what this FMU does not offer");
+}
 
 }  // namespace rotorub::fmi

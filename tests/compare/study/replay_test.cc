@@ -29,14 +29,14 @@ struct Taped {
 };
 
 Taped taped(const scene::Scene& scene, scene::ContactModel contact, double step) {
-  CommandTape tape;
+  const auto commands = std::make_shared<CommandRecord>();
   RunRequest request;
   request.step = step;
-  request.watch = tape.watch();
+  request.watch = recording(commands);
   Taped t;
   t.trajectory = mujoco_engine(contact)->run(scene, request);
   EXPECT_EQ(t.trajectory.status, Status::kOk) << t.trajectory.message;
-  t.commands = tape.record();
+  t.commands = commands;
   return t;
 }
 
@@ -121,7 +121,7 @@ TEST(Replay, EveryContactModelHasANativeRunOfItsOwn) {
   const ComparedModel& shown = c.models[2];
   ASSERT_EQ(shown.run.label, "cone");
   EXPECT_NE(c.native.metrics.mean_force, shown.native->metrics.mean_force);
-  EXPECT_EQ(c.models[0].trust, Trust::kYes) << answer(c)[0].why;
+  EXPECT_EQ(c.models[0].trust, Trust::kYes) << answer_row(c, c.models[0]).why;
   const auto cone =
       result::json_of(comparisons_result({c})).at("scenes")[0].at("differences").at("cone");
   EXPECT_EQ(cone.at("figures").at("mean_force").at("native"), shown.native->metrics.mean_force);

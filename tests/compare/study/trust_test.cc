@@ -195,13 +195,13 @@ TEST(AnswerRow, BlamesNoContactModelForAnotherPartsFailure) {
     SceneComparison c = made_by_hand();
     ComparedModel& m = c.models[0];
     c.native.metrics.first_touch = m.run.metrics.first_touch = 0.1;
-    EXPECT_STREQ(answer(c)[0].verdict.word, to_string(m.trust));
+    EXPECT_STREQ(answer_row(c, c.models[0]).verdict.word, to_string(m.trust));
     Trajectory& failed = (native ? c.native : m.run).trajectory;
     failed.status = Status::kControllerFailed;
     failed.message = "no law";
     m.trust = Trust::kNo;
-    EXPECT_STREQ(answer(c)[0].verdict.word, "not known");
-    EXPECT_NE(answer(c)[0].why.find("no law"), std::string::npos);
+    EXPECT_STREQ(answer_row(c, c.models[0]).verdict.word, "not known");
+    EXPECT_NE(answer_row(c, c.models[0]).why.find("no law"), std::string::npos);
     EXPECT_EQ(whose_verdict(c), "The exit code is 3: a run did not come to its end.");
     EXPECT_EQ(headline(c, m).find("outside"), std::string::npos);
   }
@@ -209,7 +209,7 @@ TEST(AnswerRow, BlamesNoContactModelForAnotherPartsFailure) {
   SceneComparison c = made_by_hand();
   c.models[0].run.trajectory.status = Status::kOutOfRange;
   c.models[0].trust = Trust::kNo;
-  EXPECT_STREQ(answer(c)[0].verdict.word, "no");
+  EXPECT_STREQ(answer_row(c, c.models[0]).verdict.word, "no");
 }
 
 // With several contacts the modal chain has no cone, which readers expect first.

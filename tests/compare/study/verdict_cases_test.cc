@@ -59,7 +59,7 @@ TEST(VerdictCases, ALandingIsTheSameAtEveryStep) {
     const SceneComparison c =
         compare_scene(parsed(kLanding, {std::string("run.step=") + step}), quick(2));
     ASSERT_EQ(c.models[0].run.label, "rigid");
-    EXPECT_EQ(c.models[0].trust, Trust::kYes) << step << ": " << answer(c)[0].why;
+    EXPECT_EQ(c.models[0].trust, Trust::kYes) << step << ": " << answer_row(c, c.models[0]).why;
     EXPECT_LT(std::abs(of(c.models[0], "impact_impulse").deviation), 1e-3) << step;
     EXPECT_LT(std::abs(of(c.models[0], "impulse_total").deviation), 1e-5) << step;
   }

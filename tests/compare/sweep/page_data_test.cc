@@ -4,6 +4,7 @@
 
 #include "compare/sweep/linear_map.h"
 #include "tests/compare/sweep/studies.h"
+#include "tests/support/page.h"
 
 namespace rotorub::sweep {
 namespace {

@@ -1,15 +1,14 @@
 // Points of a study, each its own run.
 #include <algorithm>
 #include <atomic>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "compare/engine/engine.h"
 #include "compare/sweep/point_run.h"
 #include "compare/sweep/sample.h"
 #include "native_model/scene/diagnostic.h"
 #include "tests/compare/sweep/studies.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub::sweep {
 namespace {
@@ -40,7 +39,12 @@ std::vector<PointResult> all_points(const Made& made, const std::atomic<bool>& i
       interrupt);
 }
 
-std::unique_ptr<Engine> verlet() { return native_engine(scene::Integrator::kVerlet); }
+PointResult alone(const Made& made, std::int64_t point) {
+  const auto result = run_point(
+      made.study, point, [&](std::int64_t k) { return made.scenes.at(k); }, kGoOn);
+  EXPECT_TRUE(result);
+  return result.value_or(PointResult{});
+}
 
 // Every column, bit for bit.
 void expect_same(const PointResult& a, const PointResult& b) {
@@ -61,9 +65,7 @@ TEST(Points, APointAmongOthersIsThePointAlone) {
   ASSERT_EQ(together.size(), 9u);
   for (const PointResult& many : together) {
     SCOPED_TRACE(many.point);
-    const auto alone = run_single(many.point, made.scenes.at(many.point), *verlet(), kGoOn);
-    ASSERT_TRUE(alone);
-    expect_same(many, *alone);
+    expect_same(many, alone(made, many.point));
     EXPECT_GT(many.figures->energy_residual, 0.0);
     EXPECT_LT(many.figures->energy_residual, 1e-3);
   }
@@ -128,9 +130,9 @@ end = "20 ms"
   const auto results = all_points(made);
   EXPECT_TRUE(results[0].ok());
   EXPECT_EQ(results[1].status, "step_too_large");
-  const auto alone = run_single(1, made.scenes.at(1), *verlet(), kGoOn);
-  EXPECT_EQ(results[1].reason, alone->reason);
-  EXPECT_FALSE(alone->reason.empty());
+  EXPECT_EQ(results[1].reason,
+            test::attempt_with(made.scenes.at(1), scene::Integrator::kVerlet, 10e-3).message);
+  EXPECT_FALSE(results[1].reason.empty());
 }
 
 TEST(Points, InterruptedTheyAreNoResults) {
@@ -190,15 +192,12 @@ TEST(PointScenes, OfHighFriction) {
 
 // As in the summary of a run: `event` has no fixed step over which to average an impulse.
 TEST(ResultColumns, HaveAPeakForceOfAFixedStepAlone) {
-  const Made made(frictions("[0.1]"));
   const auto column = std::ranges::find_if(
       result_columns(), [](const ResultColumn& c) { return c.name == "peak_force"; });
   ASSERT_NE(column, result_columns().end());
-  for (const auto& [integrator, has] :
-       {std::pair{scene::Integrator::kEvent, false}, std::pair{scene::Integrator::kVerlet, true}}) {
-    const auto one = run_single(0, made.scenes.at(0), *native_engine(integrator), kGoOn);
-    ASSERT_TRUE(one && one->ok());
-    EXPECT_EQ(column->value(*one->figures).is_number(), has);
+  for (const auto& [integrator, has] : {std::pair{"event", false}, std::pair{"verlet", true}}) {
+    const Made made(frictions("[0.1]") + "integrator = \"" + integrator + "\"\n");
+    EXPECT_EQ(column->value(*alone(made, 0).figures).is_number(), has);
   }
 }
 
