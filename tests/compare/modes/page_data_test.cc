@@ -10,7 +10,6 @@
 #include "native_model/linear/campbell.h"
 #include "tests/support/native_run.h"
 #include "tests/support/oracles/shafts.h"
-#include "tests/support/page.h"
 
 namespace rotorub {
 namespace {

@@ -4,7 +4,6 @@
 
 #include "compare/sweep/linear_map.h"
 #include "tests/compare/sweep/studies.h"
-#include "tests/support/page.h"
 
 namespace rotorub::sweep {
 namespace {
