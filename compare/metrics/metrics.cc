@@ -62,6 +62,15 @@ std::optional<double> ring_speed(const Trajectory& run, double from) {
   return fastest;
 }
 
+// The weight of a row in a mean over time, from its neighbours' times t (s). Equally spaced rows
+// have equal weights.
+double weight_of_row(const std::vector<double>& t, std::size_t row) {
+  const std::size_t last = t.size() - 1;
+  if (last == 0) return 1.0;
+  if (row == 0) return 2.0 * (t[1] - t[0]);
+  return row == last ? 2.0 * (t[last] - t[last - 1]) : t[row + 1] - t[row - 1];
+}
+
 // Rms force of the actuator that has the largest one, over the time of the rows, which need not be
 // equally spaced; empty without actuators.
 std::optional<double> rms_control(const Trajectory& trajectory) {
@@ -73,12 +82,13 @@ std::optional<double> rms_control(const Trajectory& trajectory) {
                &y = trajectory.column(column_of_contact(k, "control_y"));
     const auto square = [&](std::size_t i) { return x[i] * x[i] + y[i] * y[i]; };
     const auto& t = trajectory.column("t");
-    const double span = t.back() - t.front();
-    double mean = span > 0.0 ? 0.0 : square(0);
-    for (std::size_t i = 1; span > 0.0 && i < x.size(); ++i) {
-      mean += 0.5 * (square(i - 1) + square(i)) * (t[i] - t[i - 1]) / span;
+    double sum = 0.0, total = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const double weight = weight_of_row(t, i);
+      sum += weight * square(i);
+      total += weight;
     }
-    largest = std::max(largest.value_or(0.0), std::sqrt(mean));
+    largest = std::max(largest.value_or(0.0), std::sqrt(sum / total));
   }
   return largest;
 }

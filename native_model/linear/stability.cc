@@ -197,8 +197,9 @@ std::vector<UnstableRange> ranges_of(const WhirlSystem& system, double sense, bo
   constexpr double kStep = 1.5;
   constexpr double kFirst = 0.1;  // of the lowest frequency
   const StabilitySearch search(system, sense);
-  // A growing whirl whose frequency rises with the speed may leave the modes kept, but it still
-  // grows.
+  // A growing whirl whose frequency rises with the speed may leave the modes kept while it still
+  // grows. The growth of the modes kept then jumps.
+  constexpr double kJump = 1e-6;  // of |s|; a growth that passes 0 is at most its round-off there
   WhirlSystem more = system;
   more.kept = std::min(2 * system.kept, static_cast<int>(system.size()));
   const StabilitySearch wide(more, sense);
@@ -219,7 +220,10 @@ std::vector<UnstableRange> ranges_of(const WhirlSystem& system, double sense, bo
     const Sample next = search.at(speed);
     while (before.speed < speed) {
       if (!ranges.empty() && std::isinf(ranges.back().to)) {
-        const auto found = wide.first_recovery(wide.at(before.speed), wide.at(speed));
+        auto found = search.first_recovery(before, next);
+        if (found && (!before.grows() || search.at(found->first).growth > kJump)) {
+          found = wide.first_recovery(wide.at(before.speed), wide.at(speed));
+        }
         if (!found) break;
         ranges.back().to = found->first;
         before = search.at(found->second.speed);

@@ -41,7 +41,7 @@ TEST(CliCompare, ReplaysTheCommands) {
   EXPECT_EQ(all.at("mode"), "replay");
   EXPECT_TRUE(all.at("within").get<bool>()) << "as the exit code says";
   EXPECT_EQ(all.at("scenes")[0].at("shadow").at("commands_of"), "rigid");
-  EXPECT_TRUE(contains(folder.text("out/report.html"), "replay comparison"));
+  EXPECT_TRUE(contains(folder.text("out/report.html"), "\"mode\":\"replay\""));
 }
 
 // The exit code follows from the contacts of the model that decides, one by one.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "tests/compare/hand_made.h"
 
@@ -93,6 +94,25 @@ TEST(Metrics, TheLeastGapOfATouchIsNone) {
 // A disc that leaves along the tangent at v_t = omega delta_0 is (v_t dt)^2 / (2 delta_0) beyond
 // the ring after dt. Flights between the touches, ten times as fast along the ring, have no part in
 // it.
+// Many more rows in the second in which the force is 10 N do not change the mean.
+TEST(Metrics, TheControlForceIsAMeanOverTime) {
+  const auto rms = [](const std::vector<double>& times) {
+    Trajectory t = hand_made(times.size(), 1e-3, [](double time) { return sliding(kWhirl, time); });
+    std::vector<double> force, none(times.size(), 0.0);
+    for (const double time : times) force.push_back(time < 1.0 ? 10.0 : 20.0);
+    t.series[0].values = times;
+    t.series.push_back({"control_x", "N", force});
+    t.series.push_back({"control_y", "N", none});
+    return metrics(t, {kFacts}).control_force.value();
+  };
+  std::vector<double> equal, dense;
+  for (int k = 0; k < 2000; ++k) equal.push_back(k * 1e-3);
+  for (int k = 0; k < 10000; ++k) dense.push_back(k * 1e-4);
+  for (int k = 1000; k < 2000; ++k) dense.push_back(k * 1e-3);
+  EXPECT_NEAR(rms(equal), std::sqrt(250.0), 1e-12);
+  EXPECT_NEAR(rms(dense), std::sqrt(250.0), 1e-2);
+}
+
 TEST(Metrics, TheStepsPenetrationIsThatOfTheRowsInContact) {
   const Trajectory t = hand_made(1001, 1e-3, [](double time) {
     test::Row row = sliding(kWhirl, time);

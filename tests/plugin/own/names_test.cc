@@ -197,10 +197,10 @@ TEST_F(OwnUserData, OurBlockStandsWhereItIsTold) {
   EXPECT_EQ(run("<numeric name=\"rotorub_userdata\" data=\"30\"/>", 30, 64), first);
 }
 
-TEST_F(OwnUserData, AFurtherContactNeedsItsOwnFrictionReference) {
+TEST_F(OwnUserData, AFrictionReferenceNeedsTheCone) {
   TwoRings x;
   x.custom = "<numeric name=\"rotorub_friction_reference\" data=\"100\"/>";
-  expect_refused(document(x), "rotorub_friction_reference_2");
+  expect_refused(document(x), "contact model rigid has no friction reference");
 }
 
 TEST_F(OwnUserData, AClashIsRefusedInTheSameStep) {
