@@ -30,8 +30,8 @@ constexpr double kRoundOff = 3e-15;
 // Relative to the speeds; an event whose surface is reached more slowly counts as grazing.
 constexpr double kGrazing = 1e-10;
 
-// The state at the end of a stretch, before samples that are taken there. The memory of a control
-// stays as it is between samples.
+// The state at the end of a stretch, before samples that are taken there. A control keeps its
+// memory between samples, so the memory is still that of the stretch's start.
 std::vector<double> before_samples(const Model& m, const Stretch& stretch, const Stretch& next) {
   std::vector<double> y = next.y;
   const std::ptrdiff_t first = m.nq() + m.sampled_states(), end = m.nq() + m.layout.coil();

@@ -37,8 +37,8 @@ namespace rotorub {
 
 class StepContacts {
  public:
-  // What a contact keeps between steps. Until apply_lasting() it belongs to the step before,
-  // afterwards to this step.
+  // The values that a contact keeps between steps. They belong to the step before until
+  // apply_lasting(), and to this step afterwards.
   struct State {
     // Rigid: the contact lasts on its circle. Compliant: it has been in the wall since its last
     // touch.

@@ -17,7 +17,7 @@ struct Command {
 };
 
 // All faults in how the command ended and in the files below `folder` (except those of its input,
-// kept/); empty if there are none. It checks that the exit code is one of the contract, a failure
+// kept/); empty if there are none. It checks that the contract lists the exit code, a failure
 // has a reason, a refusal names file and line or key, no message contains terminal codes or is too
 // long, results contain only finite numbers, and no file is half written.
 std::vector<std::string> faults(const Command& command, const Ended& ended,

@@ -70,7 +70,7 @@ class ExponentialGauss:
             if not done:
                 self.h_next = 0.5 * h
                 continue
-            # The error of the four nodes without the middle one, which is larger than that of all five.
+            # The error is estimated with four nodes, without the middle one; the error of all five is smaller.
             others = np.delete(np.arange(self.NODES), self.NODES // 2)
             coarse = lagrange(self.X[others], self.X) @ rest[others]
             error = np.max(np.abs(self.states(weights, coarse)[-1] - new[-1]) / self.scale) / self.tolerance

@@ -214,8 +214,8 @@ def solve(machine, method, tolerance, scale, keep=False):
 
 
 def locate(machine, method, start, before, until, dense, tolerance, scale):
-    """Time and state of the event in the last step, before `until`: a root of the dense output. That of Radau is
-    cubic and that of the exponential method of order 5, so they repeat the step up to the event."""
+    """Time and state of the event in the last step, before `until`: a root of the dense output. Radau's dense
+    output is cubic and that of the exponential method has order 5, so both repeat the step up to the event."""
     def share(t):
         """The margin, without the root at the start of a flight or touch."""
         return machine.margin(t, dense(t)) / (t - start)

@@ -34,7 +34,7 @@ TEST(CliBench, EachSceneHasItsTable) {
                                   "A native integrator is the fastest"}));
 }
 
-// Files appear complete, the page needs no network, and the JSON equals that of --json.
+// The files appear complete, the page needs no network, and bench.json equals the output of --json.
 TEST(CliBenchLong, WritesPageAndJson) {
   const Folder folder;
   const Outcome done =
