@@ -8,10 +8,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "native_model/contact/kinematics.h"
-#include "native_model/numerics/loops.h"
 #include "native_model/scene/run.h"
 #include "native_model/trajectory/columns.h"
 #include "native_model/trajectory/keyphasor.h"
@@ -57,10 +57,11 @@ class ImpulseWindow {
     }
     for (int k = 0; k < static_cast<int>(moved); ++k) {
       newest_ = newest_ == kParts ? 0 : newest_ + 1;
+      sum_ -= bins_[newest_];
       bins_[newest_] = 0.0;
+      // A new sum in each round keeps round-off from adding up.
+      if (newest_ == 0) sum_ = std::accumulate(bins_.begin(), bins_.end(), 0.0);
     }
-    sum_ = rotorub::sum(static_cast<int>(bins_.size()),
-                        [this](int k) { return bins_[static_cast<std::size_t>(k)]; });
   }
 
   double bin_, now_ = 0.0, sum_ = 0.0, largest_ = 0.0;
