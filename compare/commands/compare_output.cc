@@ -11,6 +11,7 @@
 #include "compare/commands/command.h"
 #include "compare/figures/contact_kind.h"
 #include "compare/run_files/run_directory.h"
+#include "compare/run_files/summary.h"
 #include "compare/study/answer.h"
 #include "compare/study/result.h"
 #include "native_model/trajectory/output.h"
@@ -54,8 +55,9 @@ std::vector<std::string> compare_files(const path& folder, const scene::Scene& s
 void write_runs(const path& folder, const SceneComparison& comparison, hdf5::ImageOf hdf5) {
   const auto times = output_times(comparison.scene.run);
   const auto write = [&](const std::string& name, const Side& side) {
-    write_run(folder / comparison.scene.name / name, comparison.scene,
-              rows_at(side.trajectory, times), hdf5);
+    const Trajectory rows = rows_at(side.trajectory, times);
+    write_run(folder / comparison.scene.name / name, comparison.scene, rows,
+              summary_json(comparison.scene, rows), hdf5);
   };
   for (const Side* side : comparison.sides()) write(side->label, *side);
   if (comparison.interrupted) return;

@@ -71,7 +71,7 @@ void write_shadow(const path& folder, const scene::Scene& scene, const RunArgume
                   hdf5::ImageOf hdf5) {
   const auto engine = native_engine(scene::Integrator::kVerlet);
   const Trajectory trajectory = run_shown(*engine, scene, kShadowFolder, options.quiet);
-  write_run(folder / kShadowFolder, scene, trajectory, hdf5);
+  write_run(folder / kShadowFolder, scene, trajectory, summary_json(scene, trajectory), hdf5);
   say(options, fmt::format("shadow written to {}\n", printable_path(folder / kShadowFolder)));
   say_failure(scene, "shadow: ", trajectory);
 }
@@ -138,9 +138,8 @@ int run(const RunArguments& options) {
   check_output_folder(folder, output_files(options, scene, folder));
 
   const Trajectory trajectory = run_shown(*engine, scene, engine->name(), options.quiet);
-  write_run(folder, scene, trajectory, hdf5);
-
   result::Section told = run_result(scene, trajectory);
+  write_run(folder, scene, trajectory, result::json_of(told), hdf5);
   if (options.lyapunov) {
     const result::Section lyapunov = lyapunov_result(lyapunov_of(options, scene, trajectory));
     write_whole(folder / kLyapunovFile, json_text(result::json_of(lyapunov)));

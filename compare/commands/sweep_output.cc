@@ -120,8 +120,8 @@ int keep_points(const SweepArguments& options, const Sweep& sweep) {
     kept.trajectory = run_shown(*sweep::engine_of(sweep.study, kept.scene), kept.scene, name,
                                 options.quiet || options.json);
     const path folder = sweep.folder / name;
-    write_run(folder, kept.scene, kept.trajectory);
     kept.summary = summary_json(kept.scene, kept.trajectory);
+    write_run(folder, kept.scene, kept.trajectory, kept.summary);
     write_whole(folder / kRunPage, run_page(kept, std::nullopt));
     const std::string status = to_string(kept.trajectory.status);
     const result::Section made{

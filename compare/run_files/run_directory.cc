@@ -203,7 +203,7 @@ std::vector<std::string> run_files(const path& folder, const std::string& below,
 }
 
 void write_run(const path& folder, const scene::Scene& scene, const Trajectory& trajectory,
-               hdf5::ImageOf hdf5) {
+               const nlohmann::json& summary, hdf5::ImageOf hdf5) {
   std::filesystem::create_directories(folder);
   const bool own_machine = is_own_machine(scene);
   for (const char* file : obsolete_files(folder, own_machine))
@@ -217,7 +217,7 @@ void write_run(const path& folder, const scene::Scene& scene, const Trajectory& 
   write_whole(folder / scene_file(own_machine), scene_text);
   if (hdf5) write_whole(folder / kHdf5, hdf5::run_file(hdf5, scene, scene_text, trajectory));
   write_whole(folder / kColumnsFile, columns_text(run_columns_json(trajectory)));
-  write_whole(folder / kSummary, json_text(summary_json(scene, trajectory)));
+  write_whole(folder / kSummary, json_text(summary));
 }
 
 StoredRun read_run(const path& folder) {

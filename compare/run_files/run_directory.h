@@ -21,10 +21,11 @@ inline constexpr const char* kLyapunovFile = "lyapunov.json";
 
 // Creates the folder if it is missing and writes the files, each completely or not at all.
 // summary.json is written last, so that it never stands beside the series of another run. Files of
-// an earlier run are removed. Throws std::runtime_error that names the file. hdf5: if not null,
-// also writes run.h5 (compare/run_files/hdf5_file.h).
+// an earlier run are removed. Throws std::runtime_error that names the file. summary: by
+// summary_json(). hdf5: if not null, also writes run.h5 (compare/run_files/hdf5_file.h).
 void write_run(const std::filesystem::path& folder, const scene::Scene& scene,
-               const Trajectory& trajectory, hdf5::ImageOf hdf5 = nullptr);
+               const Trajectory& trajectory, const nlohmann::json& summary,
+               hdf5::ImageOf hdf5 = nullptr);
 // The files that write_run writes or removes in folder / below, as names relative to `folder`.
 // own_machine: for a run of a user's own machine.
 std::vector<std::string> run_files(const std::filesystem::path& folder,

@@ -19,6 +19,10 @@ class RunDirectory : public testing::Test {
     scene_ = test::shipped("bench_ring", {"run.end=0.02"});
     run_ = native_engine(scene::Integrator::kVerlet)->run(scene_, {});
   }
+  static void write(const std::filesystem::path& folder, const scene::Scene& scene,
+                    const Trajectory& run) {
+    write_run(folder, scene, run, summary_json(scene, run));
+  }
   const test::TemporaryFolder own_;
   const std::filesystem::path folder_ = own_ / "run";
   scene::Scene scene_;
@@ -26,7 +30,7 @@ class RunDirectory : public testing::Test {
 };
 
 TEST_F(RunDirectory, ReadsBackTheSameBits) {
-  write_run(folder_, scene_, run_);
+  write(folder_, scene_, run_);
   const StoredRun stored = read_run(folder_);
   EXPECT_EQ(stored.scene.name, scene_.name);
   EXPECT_EQ(scene::scene_hash(stored.scene), scene::scene_hash(scene_));
@@ -45,7 +49,7 @@ TEST_F(RunDirectory, ReadsBackTheSameBits) {
 // The page of a run says the same of the rub as the terminal, which the series alone do not
 // contain.
 TEST_F(RunDirectory, TheKeptResultHasTheAnswerOfTheRun) {
-  write_run(folder_, scene_, run_);
+  write(folder_, scene_, run_);
   const auto answer_of = [](const result::Section& result) {
     std::string text = result::text_of(result);
     std::erase_if(text, [](char c) { return c == ' ' || c == '\n'; });
@@ -62,21 +66,21 @@ TEST_F(RunDirectory, TheKeptResultHasTheAnswerOfTheRun) {
 
 // A page of an earlier run beside the series of this one would show another motion.
 TEST_F(RunDirectory, RemovesWhatWasMadeOfAnEarlierRun) {
-  write_run(folder_, scene_, run_);
+  write(folder_, scene_, run_);
   for (const char* file : {kRunPage, kLyapunovFile, "run.h5", "notes.txt"})
     std::ofstream(folder_ / file) << "of the first run";
-  write_run(folder_, scene_, run_);
+  write(folder_, scene_, run_);
   for (const char* file : {kRunPage, kLyapunovFile, "run.h5"})
     EXPECT_FALSE(std::filesystem::exists(folder_ / file)) << file;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "notes.txt")) << "is the user's";
   // A folder without a run may have a page of that name.
   const auto page = own_.write(std::filesystem::path("other") / kRunPage, "mine");
-  write_run(own_ / "other", scene_, run_);
+  write(own_ / "other", scene_, run_);
   EXPECT_TRUE(std::filesystem::exists(page));
 }
 
 TEST_F(RunDirectory, NamesFileAndLineOfDamage) {
-  write_run(folder_, scene_, run_);
+  write(folder_, scene_, run_);
   std::ofstream(folder_ / "series.csv", std::ios::app) << "1,2,nonsense\n";
   EXPECT_TRUE(test::contains(test::message_of([&] { read_run(folder_); }), "series.csv:"));
 }
@@ -90,15 +94,15 @@ TEST_F(RunDirectory, TheShadowIsThatOfTheSameScene) {
                      other = scene_with("contact.friction=0.2");
   Trajectory mujoco = run_;
   mujoco.engine = "mujoco";
-  write_run(folder_, own, mujoco);
+  write(folder_, own, mujoco);
   EXPECT_FALSE(read_shadow(folder_, read_run(folder_))) << "there is none yet";
-  write_run(folder_ / kShadowFolder, own, run_);
+  write(folder_ / kShadowFolder, own, run_);
   const auto shadow = read_shadow(folder_, read_run(folder_));
   ASSERT_TRUE(shadow);
   EXPECT_EQ(shadow->trajectory.series[1].values, run_.series[1].values);
-  write_run(folder_, other, mujoco);
+  write(folder_, other, mujoco);
   EXPECT_FALSE(read_shadow(folder_, read_run(folder_)));
-  write_run(folder_, own, run_);
+  write(folder_, own, run_);
   EXPECT_FALSE(read_shadow(folder_, read_run(folder_))) << "a native run";
 }
 
