@@ -44,11 +44,11 @@ const Figure kFigures[] = {
      {kRel, kAverage},
      of<&Metrics::mean_force>},
     {{"lasting_fraction", "lasting contact", "%", 100.0,
-      "Share of the time from first touch in lasting contact: without steps with impacts and, with "
-      "a soft contact, episodes shorter than 20 of the scene's steps."},
+      "Share of the time from first touch in lasting contact: without impacts and episodes of soft "
+      "contact shorter than 20 of the scene's steps."},
      {kPts, kAverage},
      of<&Metrics::lasting_fraction>},
-    {{"impulse_total", "total impulse", "N s", 1.0, "Total normal impulse on the rotor."},
+    {{"impulse_total", "total impulse", "N s", 1.0, "Total normal impulse."},
      {kRel, kAverage},
      of<&Metrics::impulse_total>},
     {{"friction_work", "friction work", "J", 1.0, "Work of friction; never positive."},
@@ -108,8 +108,8 @@ const Figure kFigures[] = {
      {kPts, kNo},
      of<&Metrics::contact_fraction>},
     {{"force_deviation", "force scatter", "N", 1.0,
-      "Standard deviation of the step-averaged normal force from first touch; impacts make it grow "
-      "as the step shrinks."},
+      "Standard deviation of the step-averaged normal force; impacts make it grow as the step "
+      "shrinks."},
      {.scale = kRel, .judged = kNo, .by_step = true},
      of<&Metrics::force_deviation>},
     {{"peak_force", "impulse / step, max", "N", 1.0,

@@ -28,10 +28,9 @@ Table contact() {
            "friction", kPure, ">= 0", kRequired, "mu, or the table `[contact.friction]`"),
        key<&AuxiliaryBearing::contact, &Contact::restitution>(
            "restitution", kPure, "in [0, 1]", "required, unless the compliance has a damping",
-           "eps_N, normal restitution"),
+           "normal restitution"),
        key<&AuxiliaryBearing::contact, &Contact::tangential_restitution>(
-           "tangential_restitution", kPure, "in [0, 1]", kStandard,
-           "eps_T, tangential restitution"),
+           "tangential_restitution", kPure, "in [0, 1]", kStandard, "tangential restitution"),
        key<&AuxiliaryBearing::contact, &Contact::compression_time>(
            "compression_time", kTime, ">= 0", kStandard,
            "tau_C, duration of an impact's compression"),
@@ -42,7 +41,7 @@ Table contact() {
            .or_called("z")
            .in(Form::kGeometry),
        key<&AuxiliaryBearing::contact, &Contact::offset>(
-           "offset", kLength, "", kStandard, "resting ring's centre relative to the resting shaft"),
+           "offset", kLength, "", kStandard, "resting ring's centre from the resting shaft"),
        key<&AuxiliaryBearing::name>("name", kPure, "", "its number, from 1",
                                     "unique name in messages and figures"),
        key<&AuxiliaryBearing::contact, &Contact::shape>(

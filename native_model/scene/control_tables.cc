@@ -27,13 +27,12 @@ Table controller() {
            "the rotor; `cross_coupled`: force -k(Omega) e_z x v, v: the ring's velocity; "
            "`two_phase`: `sliding`, then `cross_coupled` from the first touch on; `pd`: spring and "
            "damper on the error of the gap; `lqr`, `lqg`: linear quadratic; `library`: your own"),
-       key<&Controller::on>("on", kTime, "", kStandard,
-                            "when it is switched on, or its trigger armed"),
+       key<&Controller::on>("on", kTime, "", kStandard, "start of the law or its trigger"),
        key<&Controller::sample_time>("sample_time", kTime, ">= 0", kStandard,
-                                     "sampling interval; 0: continuous, for laws without memory"),
-       key<&Controller::library>(
-           "library", kPure, "", kRequired,
-           "shared library or Python file; path relative to the scene, or absolute", {"library"}),
+                                     "sampling interval; 0: continuous"),
+       key<&Controller::library>("library", kPure, "", kRequired,
+                                 "shared library or Python file, beside the scene or absolute",
+                                 {"library"}),
        key<&Controller::bandwidth>("bandwidth", kRate, "> 0", kStandard,
                                    "psi, decay rate of the tracking error",
                                    {"sliding", "two_phase"}),
@@ -66,16 +65,16 @@ Table controller() {
                                   "k: one value, as `[200]`, or one per speed",
                                   {"cross_coupled", "two_phase"}),
        key<&Controller::feedback_speed>("feedback_speed", kSpin, ">= 0", "constant k",
-                                        "speeds for these values, ascending; linear in between",
+                                        "ascending speeds for these values; linear in between",
                                         {"cross_coupled", "two_phase"}),
        key<&Controller::handover_time>("handover_time", kTime, "> 0", kStandard,
                                        "fade-out time of the `sliding` force", {"two_phase"}),
        key<&Controller::filter_time>("filter_time", kTime, ">= 0", "one turn of the spin",
                                      "averaging time of a sampled law's feed-forward",
                                      {"sliding", "two_phase"}),
-       key<&Controller::tracking_damping>(
-           "tracking_damping", kDamping, ">= 0", "critical damping",
-           "damping of the ring about its mean velocity (sampled laws)", {"sliding", "two_phase"}),
+       key<&Controller::tracking_damping>("tracking_damping", kDamping, ">= 0", "critical damping",
+                                          "of the ring about its mean velocity (sampled laws)",
+                                          {"sliding", "two_phase"}),
        key<&Controller::allowed_error>("allowed_error", kLength, "> 0", kStandard,
                                        "e_0, allowed distance of the centres", {"lqr", "lqg"}),
        key<&Controller::allowed_travel>("allowed_travel", kLength, "> 0", kStandard,
@@ -90,8 +89,8 @@ Table controller() {
 
 Table sensors() {
   return {"controller.sensors",
-          "What a sampled controller measures, with rounding steps (0: none) and standard "
-          "deviations of noise. Needs `sample_time`.",
+          "What a sampled controller measures, with rounding and standard deviations of noise. "
+          "Needs `sample_time`.",
           "exact values",
           [](Scene& scene) -> void* { return &scene.auxiliary.back().controller->sensors; },
           {key<&Sensors::rotor>("rotor", kPure, "", kStandard, "whether it is measured"),
@@ -99,9 +98,9 @@ Table sensors() {
            key<&Sensors::spin>("spin", kPure, "", kStandard, "whether it is measured"),
            key<&Sensors::current>("current", kPure, "", kStandard, "whether it is measured"),
            word<&Sensors::velocity>("velocity", {"measured", "difference", "none"}, kStandard,
-                                    "velocities: measured, from two positions, or unknown"),
+                                    "measured, from two positions, or unknown"),
            key<&Sensors::delay>("delay", kTime, ">= 0", kStandard,
-                                "time from measurement to command, a multiple of `sample_time`"),
+                                "from measurement to command, a multiple of `sample_time`"),
            key<&Sensors::position_resolution>("position_resolution", kLength, ">= 0", kStandard,
                                               "rounding of positions"),
            key<&Sensors::velocity_resolution>("velocity_resolution", kVelocity, ">= 0", kStandard,
@@ -120,7 +119,7 @@ Table sensors() {
 Table trigger() {
   return {
       "controller.trigger",
-      "After `on`, the first condition that holds switches a sampled controller on. Needs "
+      "After `on`, the first condition switches a sampled controller on. Needs "
       "[contact].",
       "it starts at `on`",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().controller->trigger.emplace(); },
@@ -132,7 +131,7 @@ Table trigger() {
 
 Table config() {
   return {"controller.config",
-          "Any keys for your own controller, each a number or a text.",
+          "Any keys for your own controller: numbers and texts.",
           "nothing",
           [](Scene& scene) -> void* { return &scene.auxiliary.back().controller->config; },
           {},

@@ -122,19 +122,18 @@ Table disc_table() {
                       "inertia about the shaft, at most 2 `Jt`"),
        key<&Disc::diameter>("diameter", kLength, "> 0", "none", "outer diameter"),
        key<&Disc::inner_diameter>("inner_diameter", kLength, ">= 0", "0",
-                                  "bore (the disc excludes the shaft)"),
+                                  "bore; the disc excludes the shaft"),
        key<&Disc::thickness>("thickness", kLength, "> 0", "none", "axial thickness"),
        key<&Disc::rho>("rho", kDensity, "> 0", "`rotor.rho`", "density, beside `diameter`"),
        key<&Disc::eccentricity>("eccentricity", kLength, ">= 0", kStandard,
                                 "centre of mass from the axis"),
        key<&Disc::unbalance>("unbalance", kStaticMoment, ">= 0", "by `eccentricity`",
                              "mass times eccentricity"),
-       key<&Disc::balance_grade>(
-           "balance_grade", kPure, "", "by `eccentricity`",
-           "ISO 21940-11 grade: \"G 2.5\" means 2.5 mm/s divided by `balance_speed`"),
+       key<&Disc::balance_grade>("balance_grade", kPure, "", "by `eccentricity`",
+                                 "ISO 21940-11: \"G 2.5\" means 2.5 mm/s / `balance_speed`"),
        key<&Disc::balance_speed>("balance_speed", kSpin, "> 0", "`rotor.speed`",
                                  "highest service speed"),
-       key<&Disc::phase>("phase", kAngle, "", kStandard, "its angle from the rotor's x axis")}}
+       key<&Disc::phase>("phase", kAngle, "", kStandard, "angle from the rotor's x axis")}}
       .as_list()
       .in(Form::kGeometry);
 }

@@ -25,10 +25,10 @@ Table drive() {
                           {"linear", "speed_controlled"}),
        key<&Drive::integral_gain>("integral_gain", kAngularStiffness, ">= 0", kStandard,
                                   "torque per integrated speed difference", {"speed_controlled"}),
-       key<&Drive::torque_limit>("torque_limit", kTorque, "> 0", "none",
-                                 "largest torque in either direction", {"speed_controlled"}),
+       key<&Drive::torque_limit>("torque_limit", kTorque, "> 0", "none", "largest torque",
+                                 {"speed_controlled"}),
        key<&Drive::acceleration>("acceleration", kAngularAcceleration, "> 0", "`speed` at once",
-                                 "ramp from `rotor.speed` to `speed`", {"speed_controlled"}),
+                                 "of the ramp from `rotor.speed`", {"speed_controlled"}),
        key<&Drive::breakdown_torque>("breakdown_torque", kTorque, "> 0", kRequired,
                                      "T_b, largest torque", {"kloss"}),
        key<&Drive::breakdown_slip>("breakdown_slip", kPure, "> 0", kRequired, "s_b, slip at T_b",
@@ -57,7 +57,7 @@ Table force() {
                           kRequired,
                           "`synchronous`: turns with the spin, without torque on it; `chirp`: from "
                           "`frequency` at `on` to `frequency_end` at `off`, linearly; `pulse`: a "
-                          "half-sine of `vector`; `unbalance`: a blade lost at `on`"),
+                          "half-sine; `unbalance`: a blade lost at `on`"),
        key<&Force::amplitude>("amplitude", kForce, "", kRequired, "size; negative: opposite",
                               {"rotating", "synchronous", "chirp"}),
        key<&Force::frequency>("frequency", kSpin, "", kRequired,

@@ -34,7 +34,7 @@ Table magnetic_bearing() {
                                            "mode values at the sensor")
            .in(Form::kModal),
        key<&MagneticBearing::sensor_station>("sensor_station", kLength, ">= 0", "`station`",
-                                             "axial position of the sensor")
+                                             "of the sensor")
            .in(Form::kGeometry)}};
 }
 
@@ -55,7 +55,7 @@ Table bearing_control() {
                                                "k_i, for a `linear` bearing"),
        key<&BearingControl::proportional>("proportional", kCurrentPerLength, ">= 0",
                                           "0; required for `pid`",
-                                          "P; for other kinds a spring for the shaft's modes"),
+                                          "P; else a spring for the shaft's modes"),
        key<&BearingControl::integral>("integral", kCurrentPerLengthTime, ">= 0", kStandard,
                                       "I, with anti-windup; needs `proportional`", {"pid"}),
        key<&BearingControl::derivative>("derivative", kCurrentPerVelocity, ">= 0", kStandard, "D",
@@ -65,10 +65,10 @@ Table bearing_control() {
        key<&BearingControl::sample_time>(
            "sample_time", kTime, ">= 0", "0; required except for `pid`",
            "sampling interval; 0: continuous", {"pid", "transfer_function", "state_space"}),
-       key<&BearingControl::delay>("delay", kTime, ">= 0", kStandard,
-                                   "from sample to current, a multiple of `sample_time`; after "
-                                   "switching on i is 0 for this time",
-                                   {"pid", "transfer_function", "state_space"}),
+       key<&BearingControl::delay>(
+           "delay", kTime, ">= 0", kStandard,
+           "from sample to current, a multiple of `sample_time`; i = 0 before",
+           {"pid", "transfer_function", "state_space"}),
        key<&BearingControl::numerator>("numerator", kCurrentPerLength, "", kRequired,
                                        "b_0, b_1, ... of H, by powers of 1/z",
                                        {"transfer_function"}),
@@ -92,35 +92,34 @@ Table bearing_control() {
 }
 
 Table magnetic_control() {
-  return {
-      "magnetic_control",
-      "One sampled law for all bearings of kind `shared`, from the p deflections r to the p "
-      "currents i: x, y of each bearing in file order. Matrices are listed row by row.",
-      "each bearing has its own law",
-      [](Scene& scene) -> void* { return &scene.magnetic_control.emplace(); },
-      {word<&SharedControl::kind>(
-           "kind", {"matrices", "library"}, kStandard,
-           "`matrices`: x_{k+1} = A x_k + B r, i = -(C x_k + D r); `library`: your own"),
-       key<&SharedControl::sample_time>("sample_time", kTime, "> 0", kRequired,
-                                        "sampling interval"),
-       key<&SharedControl::delay>("delay", kTime, ">= 0", kStandard,
-                                  "as in [magnetic_bearing.control]"),
-       key<&SharedControl::matrices, &ControlMatrices::state>("state_matrix", kPure, "", kRequired,
-                                                              "A, n times n", {"matrices"}),
-       key<&SharedControl::matrices, &ControlMatrices::input>("input_matrix", kPure, "", kRequired,
-                                                              "B, n times p", {"matrices"}),
-       key<&SharedControl::matrices, &ControlMatrices::output>(
-           "output_matrix", kPure, "", kRequired, "C, p times n", {"matrices"}),
-       key<&SharedControl::matrices, &ControlMatrices::feedthrough>(
-           "feedthrough", kCurrentPerLength, "", kRequired, "D, p times p", {"matrices"}),
-       key<&SharedControl::library>(
-           "library", kPure, "", kRequired,
-           "shared library or Python file; path relative to the scene, or absolute", {"library"})}};
+  return {"magnetic_control",
+          "One sampled law for all bearings of kind `shared`, from the p deflections r to the p "
+          "currents i: x, y of each bearing in file order. Matrices: row by row.",
+          "each bearing has its own law",
+          [](Scene& scene) -> void* { return &scene.magnetic_control.emplace(); },
+          {word<&SharedControl::kind>(
+               "kind", {"matrices", "library"}, kStandard,
+               "`matrices`: x_{k+1} = A x_k + B r, i = -(C x_k + D r); `library`: your own"),
+           key<&SharedControl::sample_time>("sample_time", kTime, "> 0", kRequired,
+                                            "sampling interval"),
+           key<&SharedControl::delay>("delay", kTime, ">= 0", kStandard,
+                                      "as in [magnetic_bearing.control]"),
+           key<&SharedControl::matrices, &ControlMatrices::state>(
+               "state_matrix", kPure, "", kRequired, "A, n times n", {"matrices"}),
+           key<&SharedControl::matrices, &ControlMatrices::input>(
+               "input_matrix", kPure, "", kRequired, "B, n times p", {"matrices"}),
+           key<&SharedControl::matrices, &ControlMatrices::output>(
+               "output_matrix", kPure, "", kRequired, "C, p times n", {"matrices"}),
+           key<&SharedControl::matrices, &ControlMatrices::feedthrough>(
+               "feedthrough", kCurrentPerLength, "", kRequired, "D, p times p", {"matrices"}),
+           key<&SharedControl::library>(
+               "library", kPure, "", kRequired,
+               "shared library or Python file, beside the scene or absolute", {"library"})}};
 }
 
 Table magnetic_config() {
   return {"magnetic_control.config",
-          "Any keys for your own law, each a number or a text.",
+          "Any keys for your own law: numbers and texts.",
           "nothing",
           [](Scene& scene) -> void* { return &scene.magnetic_control->config; },
           {},

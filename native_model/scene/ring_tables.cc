@@ -95,7 +95,7 @@ Table ball_bearing() {
        key<&BallSupport::stiffness>("stiffness", kPure, "> 0", kRequired,
                                     "of one ball between both races, N/m^1.5"),
        key<&BallSupport::play>("play", kLength, ">= 0", kStandard,
-                               "ring travel before a ball carries load"),
+                               "travel before a ball carries load"),
        key<&BallSupport::phase>("phase", kAngle, "", kStandard,
                                 "first ball's angle from the x axis")}};
 }

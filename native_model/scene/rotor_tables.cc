@@ -38,47 +38,46 @@ Key modes() {
 }
 
 Key theory() {
-  return word<&Rotor::geometry, &RotorGeometry::theory>(
-             "theory", {"euler-bernoulli", "timoshenko"}, kStandard,
-             "beam theory; `timoshenko` includes shear deformation")
+  return word<&Rotor::geometry, &RotorGeometry::theory>("theory", {"euler-bernoulli", "timoshenko"},
+                                                        kStandard,
+                                                        "`timoshenko`: with shear deformation")
       .in(Form::kGeometry);
 }
 
 Table rotor() {
-  return {"rotor",
-          "The shaft, by its geometry or by [rotor.modal].",
-          "refused",
-          [](Scene& scene) -> void* { return &scene.rotor; },
-          {key<&Rotor::speed>("speed", kSpin, "", kStandard, "spin speed at t = 0"),
-           shaft<&RotorGeometry::length>("length", kLength, "> 0", kRequired, "shaft length"),
-           shaft<&RotorGeometry::E>("E", kPressure, "> 0", kRequired, "Young's modulus"),
-           shaft<&RotorGeometry::nu>("nu", kPure, "in (-1, 0.5]",
-                                     "0.3; torsion and shear need it or `G`",
-                                     "Poisson's ratio, or give `G`"),
-           shaft<&RotorGeometry::G>("G", kPressure, "> 0", "`E` / (2 (1 + `nu`))", "shear modulus"),
-           shaft<&RotorGeometry::rho>("rho", kDensity, "> 0", kRequired, "density"), theory(),
-           shaft<&RotorGeometry::shear_coefficient>("shear_coefficient", kPure, "> 0",
-                                                    "by Cowper (1966)",
-                                                    "shear area / area, for `timoshenko`"),
-           shaft<&RotorGeometry::axial_force>("axial_force", kForce, "", kStandard,
-                                              "axial force, tension positive"),
-           modes(),
-           shaft<&RotorGeometry::modes_tolerance>(
-               "modes_tolerance", kPure, "in (0, 1)", kStandard,
-               "for `auto`: allowed relative error of effective masses and static flexibilities"),
-           shaft<&RotorGeometry::max_frequency>("max_frequency", kSpin, "> 0", "by `modes`",
-                                                "highest bending frequency kept, at rest"),
-           shaft<&RotorGeometry::damping_ratio>("damping_ratio", kPure, ">= 0", kStandard,
-                                                "external damping of each mode"),
-           shaft<&RotorGeometry::internal_damping_ratio>(
-               "internal_damping_ratio", kPure, ">= 0", kStandard,
-               "internal (rotating) damping of each mode, at the bearings' mean stiffness")}};
+  return {
+      "rotor",
+      "The shaft, by its geometry or by [rotor.modal].",
+      "refused",
+      [](Scene& scene) -> void* { return &scene.rotor; },
+      {key<&Rotor::speed>("speed", kSpin, "", kStandard, "spin speed at t = 0"),
+       shaft<&RotorGeometry::length>("length", kLength, "> 0", kRequired, "shaft length"),
+       shaft<&RotorGeometry::E>("E", kPressure, "> 0", kRequired, "Young's modulus"),
+       shaft<&RotorGeometry::nu>("nu", kPure, "in (-1, 0.5]",
+                                 "0.3; torsion and shear need it or `G`", "Poisson's ratio"),
+       shaft<&RotorGeometry::G>("G", kPressure, "> 0", "`E` / (2 (1 + `nu`))", "shear modulus"),
+       shaft<&RotorGeometry::rho>("rho", kDensity, "> 0", kRequired, "density"), theory(),
+       shaft<&RotorGeometry::shear_coefficient>("shear_coefficient", kPure, "> 0",
+                                                "by Cowper (1966)",
+                                                "shear area / area, for `timoshenko`"),
+       shaft<&RotorGeometry::axial_force>("axial_force", kForce, "", kStandard, "tension positive"),
+       modes(),
+       shaft<&RotorGeometry::modes_tolerance>(
+           "modes_tolerance", kPure, "in (0, 1)", kStandard,
+           "for `auto`: allowed relative error of effective masses and flexibilities"),
+       shaft<&RotorGeometry::max_frequency>("max_frequency", kSpin, "> 0", "by `modes`",
+                                            "highest bending frequency kept, at rest"),
+       shaft<&RotorGeometry::damping_ratio>("damping_ratio", kPure, ">= 0", kStandard,
+                                            "external damping of each mode"),
+       shaft<&RotorGeometry::internal_damping_ratio>("internal_damping_ratio", kPure, ">= 0",
+                                                     kStandard,
+                                                     "internal (rotating) damping of each mode")}};
 }
 
 Table section() {
   return Table{
       "rotor.section",
-      "Shaft sections, from 0 to `length` without gap or overlap.",
+      "Sections, from 0 to `length` without gap or overlap.",
       "refused in the geometry form",
       [](Scene& scene) -> void* { return &geometry_of(scene).sections.emplace_back(); },
       {key<&ShaftSection::from>("from", kLength, ">= 0", kRequired, "start"),

@@ -18,13 +18,12 @@ Table rule_table() {
        word<&Rule::engine>("engine",
                            {"native", "native-event", "native-verlet", "mujoco", "mujoco-rigid",
                             "mujoco-coulomb", "mujoco-cone", "mujoco-cone-coulomb"},
-                           kStandard, "runs that are checked; `native`, `mujoco`: all such runs"),
+                           kStandard, "runs that are checked"),
        key<&Rule::min>("min", kPure, "", "no limit", "limit of a passing value, in SI units"),
        key<&Rule::max>("max", kPure, "", "no limit", "limit of a passing value, in SI units"),
-       word<&Rule::expect>(
-           "expect", {"pass", "refused"}, kStandard,
-           "the run completes, or it is refused or ends with a status that says why"),
-       key<&Rule::why>("why", kPure, "", kRequired, "why the case is hard, in a sentence")}}
+       word<&Rule::expect>("expect", {"pass", "refused"}, kStandard,
+                           "the run completes, or is refused or fails with a reason"),
+       key<&Rule::why>("why", kPure, "", kRequired, "why the case is hard")}}
       .as_list();
 }
 

@@ -41,11 +41,10 @@ Table initial() {
       {key<&Scene::initial, &Initial::steady>(
            "steady", kPure, "", kStandard,
            "start on the steady free orbit; not beside `x` to `vy`, `stator`, `stator_velocity`"),
-       word<&Scene::initial, &Initial::rub>("rub", {"none", "synchronous", "whip", "rolling"},
-                                            kStandard,
-                                            "start on this lasting rub of `rotorub modes`, or of "
-                                            "`modes --periodic`; not beside `steady` or the keys "
-                                            "it excludes"),
+       word<&Scene::initial, &Initial::rub>(
+           "rub", {"none", "synchronous", "whip", "rolling"}, kStandard,
+           "start on this lasting rub of `rotorub modes` or `modes --periodic`; not beside "
+           "`steady` or another start"),
        key<&Scene::initial, &Initial::x>("x", kLength, "", "0", "modal displacements"),
        key<&Scene::initial, &Initial::y>("y", kLength, "", "0", "modal displacements"),
        key<&Scene::initial, &Initial::vx>("vx", kVelocity, "", "0", "modal velocities"),
@@ -67,7 +66,7 @@ Table mujoco() {
       "the defaults",
       [](Scene& scene) -> void* { return &scene.mujoco; },
       {word<&Mujoco::rotor>("rotor", {"modal", "segments"}, kStandard,
-                            "native modal coordinates, or rigid segments (geometry form)"),
+                            "native coordinates, or rigid segments (geometry form)"),
        key<&Mujoco::segments>("segments", kPure, "in [2, 200]", kStandard,
                               "pieces of the segment rotor"),
        word<&Mujoco::contact>("contact", contact_words<std::vector<std::string_view>>(), kStandard,
@@ -80,18 +79,15 @@ Table mujoco() {
                              "MuJoCo's constraint solver"),
        key<&Mujoco::solref_stiffness>("solref_stiffness", kRateSquared, "> 0",
                                       "by the step; for the cones also by the scene's speeds",
-                                      "K of the soft contact (direct solref); with a fixed K "
-                                      "impacts under `coulomb` converge"),
+                                      "K of the soft contact (direct solref)"),
        key<&Mujoco::solref_damping>("solref_damping", kRate, "> 0", "by contact.restitution",
                                     "B of the soft contact (direct solref)"),
        key<&Mujoco::friction_reference>(
            "friction_reference", kRate, "> 0", "as for the normal row",
            "B_t of the friction rows of `cone` (solreffriction of MuJoCo 2.3.6)"),
-       key<&Mujoco::shadow>("shadow", kPure, "", kStandard,
-                            "run the native model alongside, as sensors and a ghost"),
-       key<&Mujoco::bearing_currents>(
-           "bearing_currents", kPure, "", kStandard,
-           "two actuators per magnetic bearing with an amplifier, whose ctrl (A) is added")}};
+       key<&Mujoco::shadow>("shadow", kPure, "", kStandard, "run the native model alongside"),
+       key<&Mujoco::bearing_currents>("bearing_currents", kPure, "", kStandard,
+                                      "two actuators per magnetic bearing with an amplifier")}};
 }
 
 void check_initial_lists(const Reading& check) {

@@ -71,8 +71,8 @@ Table shaft_bearing_table() {
   return Table{
       "rotor.bearing",
       "Linear bearings between shaft and base: F_x = -k_xx x - k_xy y - c_xx x' - c_xy y', and F_y "
-      "alike. The coefficients `table_kxx` ... have one value per `table_speed`, interpolated by a "
-      "monotone cubic and constant beyond the ends.",
+      "alike. `table_kxx` ... have one value per `table_speed`, interpolated by a monotone cubic "
+      "and constant beyond the ends.",
       "none",
       [](Scene& scene) -> void* { return &geometry_of(scene).bearings.emplace_back(); },
       {key<&ShaftBearing::z>("z", kLength, ">= 0", kRequired, "axial position")
@@ -116,8 +116,7 @@ Table pedestal_table() {
 Table journal_table() {
   return Table{
       "rotor.bearing.journal",
-      "A plain journal bearing; Reynolds' equation gives its coefficients about the position of "
-      "rest under `load`.",
+      "A plain journal bearing, with the coefficients about its position of rest under `load`.",
       "springs and dampers, or tables",
       [](Scene& scene) -> void* { return &geometry_of(scene).bearings.back().journal.emplace(); },
       {key<&JournalBearing::diameter>("diameter", kLength, "> 0", kRequired, "of the journal"),
@@ -127,9 +126,9 @@ Table journal_table() {
                                        "oil at working temperature"),
        key<&JournalBearing::load>("load", kForce, "> 0", kRequired, "static force on the film"),
        key<&JournalBearing::load_angle>("load_angle", kAngle, "", "-90 deg", "from x towards y"),
-       word<&JournalBearing::theory>("theory", {"finite", "short"}, kStandard,
-                                     "`finite`: whole equation, Reynolds' end of the film; "
-                                     "`short`: Ocvirk's solution for length / diameter < 0.5")}}
+       word<&JournalBearing::theory>(
+           "theory", {"finite", "short"}, kStandard,
+           "`finite`: whole equation; `short`: Ocvirk's solution, for length / diameter < 0.5")}}
       .in(Form::kGeometry);
 }
 

@@ -19,11 +19,11 @@ constexpr std::string_view kActuated = "a commanded actuator, or magnets",
                            kSeveralContacts = "several contacts";
 
 const ColumnMeaning kSeries[] = {
-    {"t", "s", "time of the row, exactly as requested", ""},
-    {"rotor_x", "m", "rotor's centre at the contact; 0: middle of the bearing", ""},
-    {"rotor_y", "m", "rotor's centre at the contact; 0: middle of the bearing", ""},
-    {"rotor_vx", "m/s", "velocity of the rotor's centre; at an impact, after it", ""},
-    {"rotor_vy", "m/s", "velocity of the rotor's centre; at an impact, after it", ""},
+    {"t", "s", "time of the row", ""},
+    {"rotor_x", "m", "rotor's centre at the contact, from the middle of the bearing", ""},
+    {"rotor_y", "m", "rotor's centre at the contact, from the middle of the bearing", ""},
+    {"rotor_vx", "m/s", "velocity of the rotor's centre", ""},
+    {"rotor_vy", "m/s", "velocity of the rotor's centre", ""},
     {"stator_x", "m", "ring's centre, from the same origin; contact.offset if fixed", ""},
     {"stator_y", "m", "ring's centre, from the same origin; contact.offset if fixed", ""},
     {"stator_vx", "m/s", "velocity of the ring's centre", ""},
@@ -75,8 +75,8 @@ const ColumnMeaning kImpacts[] = {
     {"slip_before", "m/s", "slip before the impact", ""},
     {"slip_after", "m/s", "slip after the impact", ""},
     {"energy_change", "J",
-     "change of the system's energy by this contact; the sum over the rows of one t is positive "
-     "only with soft contacts (about 1e-4 J) and impacts of finite duration",
+     "change of the system's energy; the sum over one t is positive only with soft contacts (about "
+     "1e-4 J) and impacts of finite duration",
      ""},
     {kContactColumn, "", "number of the contact, from 1", kSeveralContacts},
 };

@@ -4,7 +4,7 @@
 
 Each problem is a scene of mjcf whose rotor touches one ring and slides there. The equations are written here anew, from
 the matrices that `rotorub modes --state-space` and `rotorub mjcf` print and from the scene's numbers, so the table also
-shows how far `event` is from independent solvers. Needs numpy and scipy. The table is Markdown; README.md shows one.
+shows how far `event` is from independent solvers. Needs numpy and scipy. README.md shows the second table.
 
 The work is the number of evaluations of the right-hand side, because times would compare Python with C++. Those of `event`
 are counted by valgrind's callgrind at its default tolerance, and taken in proportion to the steps at the others (without
