@@ -1,6 +1,7 @@
 """Work and precision in tests/bench: the command in a short form, whether README.md still shows what the
 command runs, and the agreement of `event` with solvers that share no code with it."""
 
+import csv
 import sys
 import unittest
 
@@ -10,6 +11,7 @@ sys.path.insert(0, str(SOURCE / "tests/bench"))
 import numpy as np  # noqa: E402
 import work_precision  # noqa: E402
 from exponential_gauss import lagrange  # noqa: E402
+
 
 class WorkPrecision(unittest.TestCase):
     @classmethod
@@ -34,6 +36,11 @@ class WorkPrecision(unittest.TestCase):
         at = lines.index(f"| | {' | '.join(work_precision.METHODS)} | `event` off the reference |")
         shown = [line.split(" | ")[0].removeprefix("| ") for line in lines[at + 2:at + 2 + len(work_precision.PROBLEMS)]]
         self.assertEqual(shown, list(work_precision.PROBLEMS))
+        with open(SOURCE / "tests/bench/work_precision.csv", newline="") as file:
+            kept = {(row["problem"], row["method"]) for row in csv.DictReader(file)}
+        methods = ("event", *work_precision.METHODS)
+        asked = {(problem, method) for problem in work_precision.PROBLEMS for method in methods}
+        self.assertEqual(asked - kept, {("compliant_ring, 1000 times as stiff", "exponential, fixed J")})
 
     def test_the_work_for_an_error_lies_between_the_rows(self):
         rows = [(1e-6, 10, 100, 1e-6), (1e-8, 20, 400, 1e-8)]
@@ -48,6 +55,7 @@ class WorkPrecision(unittest.TestCase):
     def test_calls_of_a_function_are_added_up(self):
         text = "fn=(1) main\ncfn=(2) a::f(int)\ncalls=3 0\n1 2\ncfn=(3) a::g()\ncalls=5 0\ncfn=(2)\ncalls=4 0\n"
         self.assertEqual(work_precision.calls(text, "a::f"), 7)
+
 
 if __name__ == "__main__":
     unittest.main()
