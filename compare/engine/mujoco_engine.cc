@@ -1,7 +1,6 @@
 #include "compare/engine/mujoco_engine.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "compare/engine/chunked_run.h"
@@ -95,7 +94,7 @@ Trajectory run_mujoco(const scene::Scene& scene, const MujocoSetup& setup,
                       options.window > 0.0 ? options.window : kWindowSteps * step);
   record.begin(run.start_q(), run.start_v());
 
-  const auto steps = static_cast<std::int64_t>(std::ceil(scene.run.end / step - 1e-9));
+  const std::int64_t steps = scene::step_count(scene.run.end, step);
   Status status = Status::kOk;
   std::string message = setup.refusal;
   if (!message.empty()) status = Status::kStepTooLarge;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,7 +46,7 @@ class FixedRun {
         contacts_(model.auxiliary.size()),
         step_(step),
         end_(run.end),
-        steps_(static_cast<std::int64_t>(std::ceil(end_ / step_ - 1e-9))),
+        steps_(scene::step_count(end_, step_)),
         recorder_(model, options.output_times.value_or(output_times(run)), kWindowSteps * run.step),
         stepper_(make_stepper(integrator, model, step)),
         commands_(model, *stepper_, step),
