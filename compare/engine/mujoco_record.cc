@@ -49,10 +49,10 @@ MujocoRecord::MujocoRecord(const Model& model, bool rigid, double step, std::vec
 
 void MujocoRecord::begin(const double* q, const double* v) {
   // A lagging coil carries no current at the start, whatever its command.
-  const bool lags = model_.first().magnets && model_.first().magnets->coil_lag > 0.0;
   ZeroOrderHold hold(model_);
   const Eigen::Vector2d told = hold.at(0.0, q, v);
-  ActuatorState acts = actuator_state(model_, q, v, lags ? Eigen::Vector2d(0.0, 0.0) : told);
+  ActuatorState acts =
+      actuator_state(model_, q, v, model_.first().lags() ? Eigen::Vector2d(0.0, 0.0) : told);
   acts.outputs = hold.outputs();
   shown_[0].actuator = acts;
   recorder_.begin({0.0, q, v, shown_});
@@ -266,7 +266,8 @@ WatchFeed::WatchFeed(const Model& model, double step, StepWatch watch)
     : model_(model),
       h_(step),
       watch_(std::move(watch)),
-      lags_(model.first().magnets && model.first().magnets->coil_lag > 0.0) {}
+      lags_(model.first().lags()),
+      contacts_(model.auxiliary.size()) {}
 
 void WatchFeed::begin(const double* q, const double* v) {
   if (!watch_) return;
@@ -291,7 +292,6 @@ void WatchFeed::native_step(std::int64_t k, const double* q, const double* v, co
 // kick: s, the time over which the step's forces act.
 void WatchFeed::tell(std::int64_t k, const double* q, const double* v, double kick,
                      const StepResult& r) {
-  const plugin::ContactForces& f = r.forces.front();
   WatchedStep s;
   s.t = static_cast<double>(k) * h_;
   s.h = h_;
@@ -301,15 +301,14 @@ void WatchFeed::tell(std::int64_t k, const double* q, const double* v, double ki
   s.command = r.command;
   // With lagging coils the current responds from the start of the step on.
   s.command_begin = k == 0 || lags_ ? s.t : s.t - 0.5 * h_;
-  s.normal_impulse = kick * f.normal;
-  s.impact = f.impact;
-  if (f.impact) {
-    s.gap_rate_after = f.gap_rate_after;
-    s.impact_time = f.impact_time;
-    if (s.impact_time == 0.0) {
-      s.impact_time = impact_time(f, s.t, h_, contact_point(model_, q, v).gap);
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const plugin::ContactForces& f = r.forces[i];
+    contacts_[i] = {kick * f.normal, f.impact, f.impact_time, f.gap_rate_after};
+    if (f.impact && f.impact_time == 0.0) {
+      contacts_[i].impact_time = impact_time(f, s.t, h_, contact_point(model_, q, v, i).gap);
     }
   }
+  s.contacts = contacts_;
   watch_(s);
   current_ = r.actuator.current;
 }

@@ -88,6 +88,7 @@ class WatchFeed {
   StepWatch watch_;
   bool lags_;
   std::vector<double> q_, v_, mean_;
+  std::vector<WatchedContact> contacts_;
   Eigen::Vector2d current_{0.0, 0.0};
 };
 
