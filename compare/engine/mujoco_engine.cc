@@ -142,22 +142,20 @@ Trajectory run_mujoco(const scene::Scene& scene, const MujocoSetup& setup,
     message = error.what();
   }
 
+  const bool ended = status == Status::kOk;
   const double reached = static_cast<double>(k) * step;
-  Trajectory out = record.finish(status == Status::kOk ? scene.run.end : reached);
+  if (!ended && status != Status::kStepTooLarge) {
+    message += " at t = " + std::to_string(reached) + " s";
+  }
+  if (ended && config.contact_model() != scene::ContactModel::kRigid) {
+    message = unused_by_soft_contacts(scene);
+  }
+  Trajectory out = record.finish({ended ? scene.run.end : reached, k, status, message});
   out.engine = "mujoco";
   out.integrator = setup.m->opt.integrator == mjINT_IMPLICIT ? "implicit" : "euler";
   out.contact_model = to_string(config.contact_model());
   out.step = step;
-  out.steps = k;
   out.wall_s = run.wall();
-  out.status = status;
-  if (status != Status::kOk && status != Status::kStepTooLarge) {
-    message += " at t = " + std::to_string(reached) + " s";
-  }
-  if (status == Status::kOk && config.contact_model() != scene::ContactModel::kRigid) {
-    message = unused_by_soft_contacts(scene);
-  }
-  out.message = message;
   return out;
 }
 

@@ -226,7 +226,7 @@ std::optional<std::string> MujocoRecord::lost(const double* q) const {
   return out_of_range(model_, q, soft ? RingDepth::kThickness : RingDepth::kClearance);
 }
 
-Trajectory MujocoRecord::finish(double end) {
+Trajectory MujocoRecord::finish(const RunEnd& end) {
   if (!rigid_) {
     for (AtContact& own : contacts_) own.episodes.finish();
   }

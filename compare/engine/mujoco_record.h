@@ -33,7 +33,7 @@ class MujocoRecord {
 
   // The reason if the rotor is out of range of the contact, otherwise empty.
   std::optional<std::string> lost(const double* q) const;
-  Trajectory finish(double end);
+  Trajectory finish(const RunEnd& end);
 
  private:
   StepBalance balance_of_step(std::int64_t k, const double* q, const double* v,

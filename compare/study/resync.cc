@@ -237,11 +237,10 @@ std::vector<PredictedOnset> predict(const scene::Scene& scene, const std::vector
     if (interrupt && interrupt->load(std::memory_order_relaxed)) break;
     PredictedOnset o{onset, {}, 0.0, Status::kOk, {}};
     Recorder recorder(model, {}, kWindowSteps * step);
-    const EventIntegrator::Result result =
-        integrator.run(onset.before, onset.end, recorder, {}, interrupt);
+    const RunEnd result = integrator.run(onset.before, onset.end, recorder, {}, interrupt);
     o.status = result.status;
     o.message = result.message;
-    read(recorder.finish(result.end), o);
+    read(recorder.finish(result), o);
     predicted.push_back(std::move(o));
     if (progress) {
       progress(static_cast<double>(predicted.size()) / static_cast<double>(onsets.size()));

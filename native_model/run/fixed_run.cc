@@ -67,12 +67,7 @@ class FixedRun {
     for (std::optional<ContactEpisodes>& episode : episodes_) {
       if (episode) episode->finish();
     }
-    Trajectory out = recorder_.finish(good() ? end_ : time(taken));
-    out.step = step_;
-    out.steps = taken;
-    out.status = status_;
-    out.message = message_;
-    return out;
+    return recorder_.finish({good() ? end_ : time(taken), taken, status_, message_});
   }
 
  private:

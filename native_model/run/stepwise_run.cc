@@ -177,7 +177,7 @@ void StepwiseRun::begin(double end) {
 
 // Counts the impacts since the last call, which emptied the recorder.
 void StepwiseRun::count_impacts() {
-  const std::vector<Impact> impacts = recorder_.finish(now_.t).impacts;
+  const std::vector<Impact> impacts = recorder_.finish({now_.t}).impacts;
   now_.impacts += static_cast<double>(std::ranges::count_if(impacts, counts));
 }
 

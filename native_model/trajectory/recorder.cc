@@ -286,7 +286,7 @@ void Recorder::count_episode(double begin, double lasted) {
   if (!several && !lasts) statistics_.impact_time += lasted;
 }
 
-Trajectory Recorder::finish(double end) {
+Trajectory Recorder::finish(const RunEnd& end) {
   if (steps_ > 0) look_at_energy();
   statistics_.energy_scale = std::max(statistics_.energy_scale, resting_);
   statistics_.window_impulse = window_.largest();
@@ -304,7 +304,10 @@ Trajectory Recorder::finish(double end) {
         }).passes;
   }
   Trajectory t;
-  t.end = end;
+  t.end = end.end;
+  t.steps = end.steps;
+  t.status = end.status;
+  t.message = end.message;
   t.contacts = model_->auxiliary.size();
   t.series = std::move(columns_);
   // With several contacts, an entry may arrive after later ones of other contacts, since a soft

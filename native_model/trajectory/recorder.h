@@ -142,8 +142,9 @@ class Recorder {
   void watch_impulse(double t, double impulse) { window_.add(t, impulse); }
   double window() const { return window_.width(); }
 
-  // Ends the recording at time `end`; the recorder is empty afterwards.
-  Trajectory finish(double end);
+  // Ends the recording; the recorder is empty afterwards. Leaves the names, the step and the time
+  // of computation of the trajectory to the caller.
+  Trajectory finish(const RunEnd& end);
 
  private:
   // point: of the first contact

@@ -91,6 +91,14 @@ class MissingColumn : public std::runtime_error {  // what() names the column
   using std::runtime_error::runtime_error;
 };
 
+// How a run ended.
+struct RunEnd {
+  double end = 0.0;        // s, time reached
+  std::int64_t steps = 0;  // taken; of `event`: accepted
+  Status status = Status::kOk;
+  std::string message{};
+};
+
 // The result of a run; all columns of the series have one length.
 struct Trajectory {
   // contact_model is "rigid", "compliant", "coulomb", "cone" or "cone-coulomb".

@@ -42,7 +42,7 @@ class Feed {
     recorder_.step(now, normal, friction, impact ? &own : nullptr, balance);
     last_ = point;
   }
-  Trajectory finish(double end) { return recorder_.finish(end); }
+  Trajectory finish(double end) { return recorder_.finish({end}); }
 
  private:
   const Model& model_;
@@ -93,7 +93,7 @@ TEST(Statistics, AnImpactBesideLastingContactTakesNoTimeOfItsOwn) {
   recorder.advance({1.0, q, v, kFlight}, contact_point(m, q, v), true);
   recorder.count(impact, 1.0);
   recorder.advance({2.0, q, v, kFlight}, contact_point(m, q, v), true);
-  const Statistics s = recorder.finish(2.0).statistics;
+  const Statistics s = recorder.finish({2.0}).statistics;
   EXPECT_EQ(s.contact_time, 2.0);
   EXPECT_EQ(s.impact_time, 1.0) << "of the second step";
   EXPECT_EQ(s.impulse_total, 8.0);
