@@ -224,7 +224,7 @@ class Document {
     // Only the ring of a single contact has actuators here (refuse_several_in_mujoco).
     const std::optional<MagneticActuator>& magnets = model_.first().magnets;
     const double limit = magnets ? magnets->current_limit : model_.first().force_limit;
-    const bool lags = magnets && magnets->coil_lag > 0.0;
+    const bool lags = model_.first().lags();
     const std::string_view kind = magnets ? "general" : "motor";
     const std::string_view law = !magnets ? ""
                                  : lags   ? R"(dyntype="user" gaintype="user" biastype="user" )"

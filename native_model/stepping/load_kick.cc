@@ -73,7 +73,7 @@ void add_command_jump(const AuxiliaryBearing& at, const CommandJump& jump,
   if ((asked - mean).norm() > kRoundOff * (jump.after - jump.before).norm()) return;
   for (int i = 0; i < 2; ++i) {
     const auto load = [&](double command) {
-      return coil_load(*at.magnets, command, v[at.coil + i]);
+      return at.magnets->coil.load(command, v[at.coil + i]);
     };
     f[at.coil + i] +=
         share_before * load(jump.before[i]) + share_after * load(jump.after[i]) - load(asked[i]);
