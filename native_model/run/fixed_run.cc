@@ -59,7 +59,6 @@ class FixedRun {
       if (model.auxiliary[i].is_compliant()) episodes_[i].emplace(recorder_, static_cast<int>(i));
     }
     if (!message_.empty()) status_ = Status::kStepTooLarge;
-    if (contacts_ > 1) recorder_.statistics().contacts.resize(contacts_);
   }
 
   Trajectory take_all_steps() {
@@ -203,7 +202,7 @@ class FixedRun {
       f.normal_impulse += did.x();
       f.friction_impulse += did.y();
       f.friction_work += work;
-      if (contacts_ > 1) recorder_.count_at(i, begin, f.h, did.x(), did.y(), work);
+      recorder_.count_at(i, begin, f.h, did.x(), did.y(), work);
     }
     recorder_.count(f, begin);
   }
@@ -219,7 +218,6 @@ class FixedRun {
       f.normal_impulse += hit.normal_impulse;
       f.friction_impulse += hit.friction_impulse;
       f.friction_work += work;
-      if (contacts_ == 1) continue;
       recorder_.count_at(static_cast<std::size_t>(hit.contact), hit.t, lasts, hit.normal_impulse,
                          hit.friction_impulse, work);
     }
@@ -236,12 +234,7 @@ class FixedRun {
   // state.
   void advance(const StateAt& now, const FixedStep& done, double kick, bool impact) {
     note_contacts(now.t, done, kick, true);
-    recorder_.advance(snapshot(now, done, kick, recorder_.row_due(now.t)), points_[0], impact);
-    for (std::size_t i = 0; contacts_ > 1 && i < contacts_; ++i) {
-      recorder_.watch_gap(i, points_[i]);
-    }
-    const bool inside = contacts_ == 1 && model_.has_contact() && recorder_.penetration() == 0.0;
-    if (inside && !model_.auxiliary[0].magnets) return;
+    recorder_.advance(snapshot(now, done, kick, recorder_.row_due(now.t)), points_, impact);
     if (const auto why = out_of_range(model_, now.q)) fail(Status::kOutOfRange, now.t, *why);
   }
   // Notes events of rigid contacts and the episodes of compliant ones, which start after the run

@@ -107,7 +107,6 @@ TEST(Recorder, MeetsTheGapOfEveryContactAtTheStart) {
     s.auxiliary[narrow].contact->clearance = 0.3e-3;
     const Model m = prepare(s);
     Recorder recorder(m, {});
-    recorder.statistics().contacts.resize(2);
     const Eigen::VectorXd q = Eigen::Vector2d(0.25e-3, 0.0), v = Eigen::Vector2d(0.0, 0.0);
     recorder.begin(snapshot(0.0, q, v));
     const Statistics found = recorder.finish({0.0}).statistics;
