@@ -135,7 +135,7 @@ std::optional<Mirrored> mirrored(MeasuredRecord record, const SampledRun& run,
                                  std::optional<double> shift, double left) {
   bool pair = false;
   for (MeasuredColumn& y : record.columns) {
-    if (y.what->axis != Axis::kY || !record.find((y.what - 1)->name)) continue;
+    if (y.what->axis != Axis::kY || !record.find(other_axis(*y.what).name)) continue;
     pair = true;
     for (double& value : y.value) value = -value;
   }

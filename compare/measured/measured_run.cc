@@ -190,7 +190,7 @@ class LayingIn {
         continue;
       }
       // A pair is turned into the scene's frame; a single axis cannot be.
-      const HeldColumn* y = find_column(held_, (x.what + 1)->name);
+      const HeldColumn* y = find_column(held_, other_axis(*x.what).name);
       if (x.what->axis != Axis::kX || !y) continue;
       MeasuredColumn own = x, other = *y;
       for (std::size_t i = 0; i < own.value.size(); ++i) {
