@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "native_model/contact/impact.h"
 #include "native_model/control/magnetic_library.h"
