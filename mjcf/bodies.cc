@@ -340,7 +340,7 @@ void write_ghosts(XmlWriter& xml, const scene::Scene& scene, const Model& model)
   write_ghost(xml, names::kGhostRotor, over(rotor_point(model, model.q0.data()), kOverRotor * r), r,
               kHalf * r, "0.95 0.6 0.1 0.3");
   if (!model.layout.stator) return;
-  const double clearance = scene.first().contact ? scene.first().contact->clearance : 0.0;
+  const double clearance = scene.has_contact() ? scene.first().contact->clearance : 0.0;
   write_ghost(xml, names::kGhostRing, over(ring_centre(model, model.q0.data()), kOverRing * r),
               r + clearance, kHalf * r, "0.95 0.6 0.1 0.15");
 }

@@ -76,7 +76,7 @@ void SegmentRotor::write_carrier(XmlWriter& xml, std::size_t k) const {
   const auto origin = [&](std::size_t i) {
     return i == 0 ? chain_.segments[0].node : chain_.joint[i - 1];
   };
-  const double contact = scene_.first().contact ? scene_.first().contact->station : 0.0;
+  const double contact = scene_.has_contact() ? scene_.first().contact->station : 0.0;
   xml.open(fmt::format(R"(<body name="{}" pos="0 0 {}">)", names::segment(k),
                        origin(k) - (k == 0 ? contact : origin(k - 1))));
   xml.line(inertial(0.0, 0.0, 0.0, 0.0, 0.0, 0.0));

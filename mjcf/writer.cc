@@ -88,7 +88,7 @@ class Document {
     }
     if (scene_.mujoco.shadow) write_ghosts(xml_, scene_, model_);
     xml_.close("worldbody");
-    if (scene_.first().contact) contacts();
+    if (scene_.has_contact()) contacts();
     if (segments_ || actuated()) tendons();
     if (actuated() || !excited_.empty()) actuators();
     sensors();
@@ -124,7 +124,7 @@ class Document {
                     corrected ? "1e-8" : "1e-12"));
     const std::size_t loop = model_.first().loop ? model_.first().loop->memory_size() : 0;
     int user_data = names::user_data_size(model_.nq(), model_.first().controller != nullptr, loop);
-    if (scene_.first().contact && !segments_ && !scene_.is_compliant()) {
+    if (scene_.has_contact() && !segments_ && !scene_.is_compliant()) {
       user_data += names::verlet_data_size(model_.nq(), ZeroOrderHold::memory_size(model_),
                                            VerletStepper::memory_size(model_));
     }
@@ -224,7 +224,7 @@ class Document {
     // Only the ring of a single contact has actuators here (refuse_several_in_mujoco).
     const std::optional<MagneticActuator>& magnets = model_.first().magnets;
     const double limit = magnets ? magnets->current_limit : model_.first().force_limit;
-    const bool lags = magnets && magnets->coil_lag > 0.0;
+    const bool lags = model_.first().lags();
     const std::string_view kind = magnets ? "general" : "motor";
     const std::string_view law = !magnets ? ""
                                  : lags   ? R"(dyntype="user" gaintype="user" biastype="user" )"
@@ -258,10 +258,10 @@ class Document {
     xml_.open("<sensor>");
     // `rigid` computes the forces before MuJoCo's last stage (plugin/sensors.h).
     const bool is_rigid =
-        scene_.first().contact && scene_.mujoco.contact == scene::ContactModel::kRigid;
+        scene_.has_contact() && scene_.mujoco.contact == scene::ContactModel::kRigid;
     const char* force_stage = is_rigid ? "pos" : "acc";
     sensor(names::kActive, "pos");
-    for (std::size_t k = 0; scene_.first().contact && k < scene_.auxiliary.size(); ++k) {
+    for (std::size_t k = 0; scene_.has_contact() && k < scene_.auxiliary.size(); ++k) {
       sensor(names::of_bearing(k, names::kGap), "pos");
       sensor(names::of_bearing(k, names::kGapRate), "pos");
       sensor(names::of_bearing(k, names::kSlip), "pos");
@@ -278,7 +278,7 @@ class Document {
     sensor(names::kRotorPosition, "pos", 2);
     sensor(names::kShadowRotor, "pos", 2);
     if (model_.layout.stator) sensor(names::kShadowStator, "pos", 2);
-    if (!scene_.first().contact) return;
+    if (!scene_.has_contact()) return;
     sensor(names::kShadowGap, "pos");
     sensor(names::kShadowNormalForce, "pos");
     sensor(names::kShadowFrictionForce, "pos");
@@ -313,7 +313,7 @@ class Document {
     xml_.open("<custom>");
     xml_.line(
         fmt::format(R"(<text name="{}" data="{}"/>)", names::kSceneText, xml_escape(scene_.text)));
-    if (scene_.first().contact) {
+    if (scene_.has_contact()) {
       xml_.line(fmt::format(R"(<text name="{}" data="{}"/>)", names::kContactText,
                             scene::to_string(scene_.mujoco.contact)));
       if (has_friction_reference()) {

@@ -192,7 +192,7 @@ int map_memory(const mjModel* m, const scene::Scene& scene, Config& config) {
   const std::size_t loop = ring.loop ? ring.loop->memory_size() : 0;
   int needed = names::user_data_size(config.model.nq(), ring.controller != nullptr, loop);
   config.loop_data = needed - static_cast<int>(loop);
-  if (scene.first().contact && scene.mujoco.rotor != scene::MujocoRotor::kSegments &&
+  if (scene.has_contact() && scene.mujoco.rotor != scene::MujocoRotor::kSegments &&
       !scene.is_compliant()) {
     config.verlet_data = needed;
     needed += names::verlet_data_size(config.model.nq(), ZeroOrderHold::memory_size(config.model),
@@ -248,7 +248,7 @@ Config generated_config(const mjModel* m) {
   } else {
     map_joints(m, config);
   }
-  if (scene.first().contact) {
+  if (scene.has_contact()) {
     const scene::ContactModel model = contact_model(m, names::kContactText, scene.mujoco.contact);
     if (!config.segments && scene.auxiliary.size() > 1 && scene::is_cone(model)) {
       refuse(text_element(names::kContactText),

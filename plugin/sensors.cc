@@ -88,7 +88,7 @@ void fill_shadow_sensors(const Config& config, mjData* d) {
   const double* q = shadow_state(config, d);
   put(d, s.rotor, rotor_point(model, q));
   put(d, s.stator, ring_centre(model, q));
-  if (!model.first().contact) return;
+  if (!model.has_contact()) return;
   put(d, s.gap, contact_point(model, q, q + model.nq()).gap);
   put(d, s.normal_force, entry.normal);
   put(d, s.friction_force, entry.friction);

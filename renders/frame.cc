@@ -27,7 +27,7 @@ std::string name_of(const scene::Scene& scene, std::size_t contact) {
 }
 
 void check_view(const scene::Scene& scene, const RenderOptions& options) {
-  if (scene.first().contact || options.view == FilmView::kRig) return;
+  if (scene.has_contact() || options.view == FilmView::kRig) return;
   throw std::invalid_argument(
       fmt::format("view = {}: expected rig, because the scene {} has no [contact]",
                   to_string(options.view), scene.name));
@@ -100,7 +100,7 @@ void FramePainter::make_panels(const scene::Scene& scene, const Trajectory& traj
   film_.from = framing_.from;
   film_.to = framing_.to;
   film_.scales = make_scales(playbacks(true), framing_.from, framing_.to, film_.clearance);
-  if (scene.first().contact) {
+  if (scene.has_contact()) {
     double penetration = 0.0;
     for (const Playback* run : playbacks(false)) {
       penetration = std::max(penetration, -run->gap_quantile(0.0, framing_.from, framing_.to));
@@ -108,7 +108,7 @@ void FramePainter::make_panels(const scene::Scene& scene, const Trajectory& traj
     film_.unrolled_view.emplace(film_.clearance, penetration);
   }
   layout_ = make_layout(width_, height_, options.view, static_cast<int>(shown_runs_),
-                        film_.charts(), scene.first().contact.has_value());
+                        film_.charts(), scene.has_contact());
   film_.text_size = layout_.text_size;
   const Trajectory* const trajectories[] = {&trajectory, options.beside};
   for (std::size_t k = 0; k < shown_runs_; ++k) {

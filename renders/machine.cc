@@ -97,7 +97,7 @@ void draw_geometry(Machine& machine, const scene::Scene& scene) {
 // a spring holds it and straight otherwise.
 void draw_modal(Machine& machine, const scene::Scene& scene) {
   machine.schematic = true;
-  const double radius = scene.first().contact ? scene.first().contact->radius : 0.05;
+  const double radius = scene.has_contact() ? scene.first().contact->radius : 0.05;
   machine.unit = 1.0 / (14.0 * radius);
   machine.z = Eigen::VectorXd::LinSpaced(kSpans + 1, 0.0, 1.0);
   machine.span_radius.assign(kSpans, 0.35 / 14.0);
@@ -129,7 +129,7 @@ double machine_magnification(const scene::Scene& scene, double unit, double moti
   constexpr double kUnlimited = 1e300;
   const double by_motion = motion > 0.0 ? kMotionShare / motion : kUnlimited;
   // The contact that allows the least decides, so that every drawn ring stays small.
-  double most = scene.first().contact ? kUnlimited : by_motion;
+  double most = scene.has_contact() ? kUnlimited : by_motion;
   for (const scene::AuxiliaryBearing& bearing : scene.auxiliary) {
     if (!bearing.contact) continue;
     const double clearance = bearing.contact->clearance * unit;
@@ -269,7 +269,7 @@ Machine make_machine(const scene::Scene& scene, std::span<const Playback* const>
   });
   machine.magnification =
       magnification.value_or(machine_magnification(scene, machine.unit, motion));
-  if (scene.first().contact) draw_contact(machine, scene);
+  if (scene.has_contact()) draw_contact(machine, scene);
   draw_loads(machine, scene);
   for (const scene::MagneticBearing& bearing : scene.magnetic_bearings) {
     if (!scene.rotor.geometry) break;

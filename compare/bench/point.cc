@@ -1,5 +1,4 @@
 #include "compare/bench/point.h"
-#include "compare/base/units.h"
 
 #include <fmt/format.h>
 
@@ -10,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "compare/base/median.h"
+#include "compare/base/units.h"
 #include "native_model/trajectory/columns.h"
 
 namespace rotorub::bench {
@@ -173,12 +174,9 @@ int repeats_of(double seconds, const TimingParameters& parameters) {
   return std::min(parameters.repeats, std::max(parameters.fewest, static_cast<int>(fit)));
 }
 
-WallTime wall_time(std::vector<double> seconds) {
-  assert(!seconds.empty());
-  std::sort(seconds.begin(), seconds.end());
-  const std::size_t n = seconds.size();
-  const double median = n % 2 == 1 ? seconds[n / 2] : 0.5 * (seconds[n / 2 - 1] + seconds[n / 2]);
-  return {median, seconds.front(), seconds.back(), static_cast<int>(n)};
+WallTime wall_time(const std::vector<double>& seconds) {
+  return {median(seconds), std::ranges::min(seconds), std::ranges::max(seconds),
+          static_cast<int>(seconds.size())};
 }
 
 void interleaved(std::vector<TimedJob> jobs, const TimingParameters& parameters,

@@ -97,6 +97,6 @@ void timing_pass(std::vector<Point>& points, const TimingParameters& parameters,
                  const Progress& progress, const std::atomic<bool>* interrupt);
 
 // Median, lowest and highest of the values; at least one value.
-WallTime wall_time(std::vector<double> seconds);
+WallTime wall_time(const std::vector<double>& seconds);
 
 }  // namespace rotorub::bench

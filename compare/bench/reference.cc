@@ -42,7 +42,7 @@ Place of(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
 // Whether the scene has one isotropic mode, a contact, and no part that the closed forms do not
 // cover.
 bool is_plain(const scene::Scene& s) {
-  if (!s.rotor.modal || !s.first().contact || s.auxiliary.size() > 1) return false;
+  if (!s.rotor.modal || !s.has_contact() || s.auxiliary.size() > 1) return false;
   const scene::RotorModal& m = *s.rotor.modal;
   const scene::AuxiliaryBearing& bearing = s.first();
   const scene::Contact& contact = *bearing.contact;

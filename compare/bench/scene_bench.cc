@@ -50,7 +50,7 @@ SceneBench bench_scene(const SceneReader& reader, const BenchParameters& paramet
   SceneBench bench;
   bench.scene = reader({});
   bench.engines = parameters.engines;
-  if (!bench.scene.first().contact) {
+  if (!bench.scene.has_contact()) {
     throw std::invalid_argument(
         fmt::format("{}: the errors of a bench are shares of contact.clearance, but this scene has "
                     "no [contact]",

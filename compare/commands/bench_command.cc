@@ -45,7 +45,7 @@ bench::BenchParameters bench_parameters(const BenchArguments& options) {
 // Reports the errors of all scenes before an hour is spent on the first.
 void check_scenes(const BenchArguments& options) {
   read_each(options.scenes, [&](const std::string& file) {
-    if (read_scene(file, options).first().contact) return;
+    if (read_scene(file, options).has_contact()) return;
     throw UsageError(
         "{}: this scene has no [contact], but the levels of error are shares of contact.clearance; "
         "give a scene with one",

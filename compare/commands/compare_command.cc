@@ -108,7 +108,7 @@ void check_tune(const CompareArguments& options, const std::vector<Subject>& sub
           "steps: --step 5us, --step 2us",
           options.scenes[k]);
     }
-    if (!subjects[k].scene.first().contact) {
+    if (!subjects[k].scene.has_contact()) {
       throw UsageError("{}: --tune needs a [contact], but this scene has none", options.scenes[k]);
     }
   }
@@ -148,7 +148,7 @@ void find_settings(const CompareArguments& options, double tolerance,
                    std::vector<PageScene>& pages) {
   for (std::size_t k = 0; k < pages.size() && !interrupted(); ++k) {
     const Subject& subject = subjects[k];
-    if (subject.own || !subject.scene.first().contact) continue;
+    if (subject.own || !subject.scene.has_contact()) continue;
     if (!options.tune) {
       pages[k].setting =
           fmt::format("`{} --tolerance {}` finds the fastest one that can be trusted",

@@ -38,12 +38,7 @@ int columns_of(std::FILE* stream) {
   return static_cast<int>(kTerminalWidth);
 }
 
-}  // namespace
-
-Palette palette_of(std::FILE* stream) {
-  return Palette(is_terminal(stream) && variable("NO_COLOR").empty() && variable("TERM") != "dumb");
-}
-
+// The message line by line, with each line made printable, because it may quote the user's input.
 std::string printable_lines(const std::string& message) {
   constexpr std::size_t kLongestLine = 1000;  // bytes
   std::istringstream lines(message);
@@ -52,6 +47,12 @@ std::string printable_lines(const std::string& message) {
     text += (text.empty() ? "" : "\n") + scene::printable(line, kLongestLine);
   }
   return text;
+}
+
+}  // namespace
+
+Palette palette_of(std::FILE* stream) {
+  return Palette(is_terminal(stream) && variable("NO_COLOR").empty() && variable("TERM") != "dumb");
 }
 
 std::string printable_path(const std::filesystem::path& path) {

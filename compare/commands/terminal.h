@@ -14,9 +14,7 @@ namespace rotorub {
 // Colours on a terminal that supports them, unless NO_COLOR is set and not empty (no-color.org).
 Palette palette_of(std::FILE* stream);
 
-// The message line by line, with each line made printable, because it may quote the user's input.
-std::string printable_lines(const std::string& message);
-// The same for the full path of a file or folder from the user.
+// The full path of a file or folder from the user, made printable.
 std::string printable_path(const std::filesystem::path& path);
 
 // The command that this process runs, "run": its messages on standard error begin with

@@ -67,7 +67,7 @@ int run_tune(const TuneArguments& options) {
   const double tolerance = tolerance_of(options.tolerance);
   check_twins(options.twins);
   const scene::Scene scene = read_scene(options.scene, options);
-  if (!scene.first().contact) {
+  if (!scene.has_contact()) {
     throw UsageError(
         "{}: this scene has no [contact], so there is nothing to tune; give a scene with one",
         options.scene);

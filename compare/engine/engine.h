@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -18,6 +19,14 @@
 namespace rotorub {
 
 struct EventParameters;
+
+// A contact in a step of a MuJoCo run.
+struct WatchedContact {
+  double normal_impulse = 0.0;  // N s, over the step, >= 0
+  bool impact = false;          // the impulse comes from an impact of a rigid law
+  double impact_time = 0.0;     // s; set for an impact, as is gap_rate_after
+  double gap_rate_after = 0.0;  // m/s
+};
 
 // A watch receives this for every step k of a MuJoCo run, from t = k h to t + h. MuJoCo's Euler
 // step is a leapfrog: its velocities lag its positions by half a step, and a force of the step acts
@@ -33,10 +42,7 @@ struct WatchedStep {
   // The actuator's command (model/actuation.h) and the time from which it acts, s.
   Eigen::Vector2d command{0.0, 0.0};
   double command_begin = 0.0;
-  double normal_impulse = 0.0;  // N s, over the step, >= 0
-  bool impact = false;          // the impulse comes from an impact of a rigid law
-  double impact_time = 0.0;     // s; set for an impact, as is gap_rate_after
-  double gap_rate_after = 0.0;  // m/s
+  std::span<const WatchedContact> contacts;  // one for each auxiliary bearing
 };
 using StepWatch = std::function<void(const WatchedStep&)>;
 

@@ -1,7 +1,6 @@
 #include "compare/engine/mujoco_engine.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "compare/engine/chunked_run.h"
@@ -95,7 +94,7 @@ Trajectory run_mujoco(const scene::Scene& scene, const MujocoSetup& setup,
                       options.window > 0.0 ? options.window : kWindowSteps * step);
   record.begin(run.start_q(), run.start_v());
 
-  const auto steps = static_cast<std::int64_t>(std::ceil(scene.run.end / step - 1e-9));
+  const std::int64_t steps = scene::step_count(scene.run.end, step);
   Status status = Status::kOk;
   std::string message = setup.refusal;
   if (!message.empty()) status = Status::kStepTooLarge;
@@ -143,22 +142,20 @@ Trajectory run_mujoco(const scene::Scene& scene, const MujocoSetup& setup,
     message = error.what();
   }
 
+  const bool ended = status == Status::kOk;
   const double reached = static_cast<double>(k) * step;
-  Trajectory out = record.finish(status == Status::kOk ? scene.run.end : reached);
+  if (!ended && status != Status::kStepTooLarge) {
+    message += " at t = " + std::to_string(reached) + " s";
+  }
+  if (ended && config.contact_model() != scene::ContactModel::kRigid) {
+    message = unused_by_soft_contacts(scene);
+  }
+  Trajectory out = record.finish({ended ? scene.run.end : reached, k, status, message});
   out.engine = "mujoco";
   out.integrator = setup.m->opt.integrator == mjINT_IMPLICIT ? "implicit" : "euler";
   out.contact_model = to_string(config.contact_model());
   out.step = step;
-  out.steps = k;
   out.wall_s = run.wall();
-  out.status = status;
-  if (status != Status::kOk && status != Status::kStepTooLarge) {
-    message += " at t = " + std::to_string(reached) + " s";
-  }
-  if (status == Status::kOk && config.contact_model() != scene::ContactModel::kRigid) {
-    message = unused_by_soft_contacts(scene);
-  }
-  out.message = message;
   return out;
 }
 

@@ -39,20 +39,20 @@ MujocoRecord::MujocoRecord(const Model& model, bool rigid, double step, std::vec
       step_(step),
       recorder_(model, std::move(times), window),
       shown_(model.auxiliary.size()),
+      points_(model.auxiliary.size()),
       middle_(static_cast<std::size_t>(model.nq())),
       half_(middle_) {
   for (std::size_t k = 0; k < model.auxiliary.size(); ++k) {
     contacts_.push_back({Mode::kFree, ContactEpisodes(recorder_, static_cast<int>(k)), {}});
   }
-  if (contacts_.size() > 1) recorder_.statistics().contacts.resize(model.auxiliary.size());
 }
 
 void MujocoRecord::begin(const double* q, const double* v) {
   // A lagging coil carries no current at the start, whatever its command.
-  const bool lags = model_.first().magnets && model_.first().magnets->coil_lag > 0.0;
   ZeroOrderHold hold(model_);
   const Eigen::Vector2d told = hold.at(0.0, q, v);
-  ActuatorState acts = actuator_state(model_, q, v, lags ? Eigen::Vector2d(0.0, 0.0) : told);
+  ActuatorState acts =
+      actuator_state(model_, q, v, model_.first().lags() ? Eigen::Vector2d(0.0, 0.0) : told);
   acts.outputs = hold.outputs();
   shown_[0].actuator = acts;
   recorder_.begin({0.0, q, v, shown_});
@@ -113,7 +113,6 @@ void MujocoRecord::step(std::int64_t k, const double* q, const double* v, const 
   const plugin::ContactForces& f = r.forces.front();
   recorder_.step({time(k + 1), q, v, shown_}, step_ * f.normal, step_ * f.friction,
                  f.impact ? &impact : nullptr, balance);
-  watch_gaps();
 }
 
 // Shows the contact's forces without the impulse of an impact, which is not a lasting force, and
@@ -123,12 +122,6 @@ void MujocoRecord::show(std::size_t contact, const StepResult& r) {
   const double share = f.impact ? 0.0 : 1.0;
   shown_[contact] = {share * f.normal, share * f.friction, f.mode,
                      contact == 0 ? r.actuator : ActuatorState{}};
-}
-
-void MujocoRecord::watch_gaps() {
-  for (std::size_t i = 0; contacts_.size() > 1 && i < contacts_.size(); ++i) {
-    recorder_.watch_gap(i, contacts_[i].point);
-  }
 }
 
 // Records a contact over step k; returns its impact, or an empty one.
@@ -151,18 +144,12 @@ Impact MujocoRecord::step_contact(std::int64_t k, std::size_t contact, const dou
     own.episodes.step({t, step_, own.point, after, f.normal, f.friction, f.mode});
   }
   show(contact, r);
-  if (contacts_.size() > 1) {
-    if (f.normal > 0.0) {
-      const double slips = f.impact ? f.slip_before + f.slip_after : own.point.slip + after.slip;
-      const double normal = step_ * f.normal, friction = step_ * f.friction,
-                   work = 0.5 * friction * slips;
-      recorder_.count_at(contact, t, step_, normal, friction, work);
-      if (contact > 0) {
-        double before = 0.0;
-        for (std::size_t i = 0; i < contact; ++i) before += step_ * r.forces[i].normal;
-        recorder_.count_further(t, step_, normal, friction, work, before);
-      }
-    }
+  if (contact > 0 && f.normal > 0.0) {
+    const double slips = f.impact ? f.slip_before + f.slip_after : own.point.slip + after.slip;
+    const double normal = step_ * f.normal, friction = step_ * f.friction;
+    double before = 0.0;
+    for (std::size_t i = 0; i < contact; ++i) before += step_ * r.forces[i].normal;
+    recorder_.count_further(contact, t, step_, normal, friction, 0.5 * friction * slips, before);
   }
   own.point = after;
   return impact;
@@ -172,14 +159,13 @@ void MujocoRecord::native_step(std::int64_t k, const double* q, const double* v,
                                const StepResult& r, bool last) {
   const double t = time(k), kick = k == 0 ? 0.5 * step_ : step_;
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    contacts_[i].point = contact_point(model_, q, v, i);
+    points_[i] = contact_point(model_, q, v, i);
     note_mode(t, r.forces[i].mode, i);
     show(i, r);
   }
   if (k > 0) {
     count_impacts();
-    recorder_.advance({t, q, v, shown_}, contacts_.front().point, !impacts_.empty());
-    watch_gaps();
+    recorder_.advance({t, q, v, shown_}, points_, !impacts_.empty());
   }
   StepFigures figures;
   figures.h = last ? 0.5 * step_ : kick;
@@ -191,7 +177,7 @@ void MujocoRecord::native_step(std::int64_t k, const double* q, const double* v,
     const plugin::ContactForces& f = r.forces[i];
     if (f.impact || f.mode == Mode::kFree || !(f.normal > 0.0)) continue;
     const double normal = figures.h * f.normal, friction = figures.h * f.friction;
-    add_contact(figures, i, t, normal, friction, friction * contacts_[i].point.slip);
+    add_contact(figures, i, t, normal, friction, friction * points_[i].slip);
   }
   recorder_.count(figures, t);
   impacts_.clear();
@@ -213,20 +199,16 @@ void MujocoRecord::add_contact(StepFigures& figures, std::size_t contact, double
   figures.normal_impulse += normal;
   figures.friction_impulse += friction;
   figures.friction_work += work;
-  if (contacts_.size() > 1) recorder_.count_at(contact, t, figures.h, normal, friction, work);
+  recorder_.count_at(contact, t, figures.h, normal, friction, work);
 }
 
 std::optional<std::string> MujocoRecord::lost(const double* q) const {
-  // The recorder knows the penetration of the first contact only.
-  const AuxiliaryBearing& only = model_.first();
-  const bool alone = contacts_.size() == 1;
-  if (alone && only.contact && recorder_.penetration() == 0.0 && !only.magnets) return {};
   // Rigid and compliant contacts end at the same range as on the native side.
   const bool soft = !rigid_ && !model_.is_compliant();
   return out_of_range(model_, q, soft ? RingDepth::kThickness : RingDepth::kClearance);
 }
 
-Trajectory MujocoRecord::finish(double end) {
+Trajectory MujocoRecord::finish(const RunEnd& end) {
   if (!rigid_) {
     for (AtContact& own : contacts_) own.episodes.finish();
   }
@@ -266,7 +248,8 @@ WatchFeed::WatchFeed(const Model& model, double step, StepWatch watch)
     : model_(model),
       h_(step),
       watch_(std::move(watch)),
-      lags_(model.first().magnets && model.first().magnets->coil_lag > 0.0) {}
+      lags_(model.first().lags()),
+      contacts_(model.auxiliary.size()) {}
 
 void WatchFeed::begin(const double* q, const double* v) {
   if (!watch_) return;
@@ -291,7 +274,6 @@ void WatchFeed::native_step(std::int64_t k, const double* q, const double* v, co
 // kick: s, the time over which the step's forces act.
 void WatchFeed::tell(std::int64_t k, const double* q, const double* v, double kick,
                      const StepResult& r) {
-  const plugin::ContactForces& f = r.forces.front();
   WatchedStep s;
   s.t = static_cast<double>(k) * h_;
   s.h = h_;
@@ -301,15 +283,14 @@ void WatchFeed::tell(std::int64_t k, const double* q, const double* v, double ki
   s.command = r.command;
   // With lagging coils the current responds from the start of the step on.
   s.command_begin = k == 0 || lags_ ? s.t : s.t - 0.5 * h_;
-  s.normal_impulse = kick * f.normal;
-  s.impact = f.impact;
-  if (f.impact) {
-    s.gap_rate_after = f.gap_rate_after;
-    s.impact_time = f.impact_time;
-    if (s.impact_time == 0.0) {
-      s.impact_time = impact_time(f, s.t, h_, contact_point(model_, q, v).gap);
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const plugin::ContactForces& f = r.forces[i];
+    contacts_[i] = {kick * f.normal, f.impact, f.impact_time, f.gap_rate_after};
+    if (f.impact && f.impact_time == 0.0) {
+      contacts_[i].impact_time = impact_time(f, s.t, h_, contact_point(model_, q, v, i).gap);
     }
   }
+  s.contacts = contacts_;
   watch_(s);
   current_ = r.actuator.current;
 }

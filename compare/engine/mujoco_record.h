@@ -33,7 +33,7 @@ class MujocoRecord {
 
   // The reason if the rotor is out of range of the contact, otherwise empty.
   std::optional<std::string> lost(const double* q) const;
-  Trajectory finish(double end);
+  Trajectory finish(const RunEnd& end);
 
  private:
   StepBalance balance_of_step(std::int64_t k, const double* q, const double* v,
@@ -44,7 +44,6 @@ class MujocoRecord {
                    double friction, double work);
   void note_mode(double t, Mode mode, std::size_t contact);
   void show(std::size_t contact, const StepResult& r);  // writes shown_
-  void watch_gaps();  // of several contacts, at the state that the recorder got last
   Impact step_contact(std::int64_t k, std::size_t contact, const double* q, const double* v,
                       const StepResult& r);
   double time(std::int64_t k) const { return static_cast<double>(k) * step_; }  // s
@@ -60,6 +59,7 @@ class MujocoRecord {
   };
   std::vector<AtContact> contacts_;     // one per contact
   std::vector<ContactSnapshot> shown_;  // of the last snapshot
+  std::vector<ContactPoint> points_;    // with native steps: at the last state
   // With native steps: the impacts of the previous step and their work on the coordinates.
   std::vector<Impact> impacts_;
   double impact_work_ = 0.0;  // J
@@ -88,6 +88,7 @@ class WatchFeed {
   StepWatch watch_;
   bool lags_;
   std::vector<double> q_, v_, mean_;
+  std::vector<WatchedContact> contacts_;
   Eigen::Vector2d current_{0.0, 0.0};
 };
 

@@ -158,6 +158,13 @@ const ResidualFigure kResiduals[] = {
      "Recorded gap against the gap of the recorded positions.", &Residuals::gap_error},
 };
 
+// The SI difference that is `deviation` on the scale of a figure: the inverse of deviation().
+double difference_of(const Figure& figure, double native, double deviation) {
+  if (figure.scale == Scale::kPoints || deviation == 0.0) return deviation;
+  const double whole = std::max(std::abs(native), figure.resolution);
+  return native < 0.0 ? -deviation * whole : deviation * whole;
+}
+
 }  // namespace
 
 std::string figure_value(const FigureText& figure, double value) {
@@ -205,12 +212,6 @@ double deviation(const Figure& figure, double native, double other) {
 double share_of(const Figure& figure, double native, double size) {
   if (figure.scale == Scale::kPoints || size == 0.0) return size;
   return size / std::max(std::abs(native), figure.resolution);
-}
-
-double difference_of(const Figure& figure, double native, double deviation) {
-  if (figure.scale == Scale::kPoints || deviation == 0.0) return deviation;
-  const double whole = std::max(std::abs(native), figure.resolution);
-  return native < 0.0 ? -deviation * whole : deviation * whole;
 }
 
 SplitShares split_shares(const Figure& figure, double native, const Split& split) {

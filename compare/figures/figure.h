@@ -74,8 +74,6 @@ const Figure& figure(const std::string& key);
 double deviation(const Figure& figure, double native, double other);
 // A size or a change in SI on the same scale, relative to a native value; keeps the sign of `size`.
 double share_of(const Figure& figure, double native, double size);
-// The SI difference that is `deviation` on the scale of a figure: the inverse of deviation().
-double difference_of(const Figure& figure, double native, double deviation);
 
 // The errors of a figure from the contact model and from the step, on its scale; empty if they
 // cannot be determined.

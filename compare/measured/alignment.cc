@@ -10,6 +10,10 @@ namespace rotorub {
 namespace {
 
 constexpr double kNothing = 1e-6;  // relative to the run's rms
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+// Avoids a negative zero.
+double rounded_to(double value, double unit) { return std::round(value / unit) * unit + 0.0; }
 
 std::string span_text(double from, double to) {
   return fmt::format("{:.6g} to {:.6g} s", from, to);
@@ -100,6 +104,32 @@ void check_overlap(const MeasuredRecord& record, const SampledRun& run, double s
                   span_text(run.start(), run.end()), on, kLeastSamples));
 }
 
+// "rotor, ring and gap"
+std::string channels_text(const std::vector<std::string>& by) {
+  if (by.size() < 2) return fmt::format("{}", fmt::join(by, ""));
+  return fmt::format("{} and {}", fmt::join(by.begin(), by.end() - 1, ", "), by.back());
+}
+
+std::string other_size_text(const LagScore& at) {
+  return fmt::format(
+      "at {:+.3f} ms they agree better in shape (correlation {:.4f}), but the record is {:.3g} "
+      "times "
+      "as large; check its unit",
+      1e3 * at.shift, at.correlation, at.gain);
+}
+
+std::string mirrored_text(const Mirrored& m) {
+  constexpr double kExchanged = 1.0;  // degrees
+  const double angle = m.angle / kDegree;
+  const bool exchanged = std::abs(std::abs(angle) - 90.0) < kExchanged;
+  return fmt::format(
+      "with {} the record would fit: shift {:+.6f} ms, sensors' x axis at {:+.3f}°, residual "
+      "{:.3g} % of the run's rms; if the machine does not whirl the other way than the run, give "
+      "{}",
+      exchanged ? "x and y of the sensors exchanged" : "y of the sensors mirrored",
+      rounded_to(1e3 * m.shift, 1e-6), rounded_to(angle, 1e-3), 100.0 * m.residual, m.flag);
+}
+
 // Why an alignment that was found is refused and what is accepted; otherwise empty.
 std::string doubt(const Alignment& a) {
   if (!a.correlation) return {};
@@ -135,7 +165,7 @@ std::optional<Mirrored> mirrored(MeasuredRecord record, const SampledRun& run,
                                  std::optional<double> shift, double left) {
   bool pair = false;
   for (MeasuredColumn& y : record.columns) {
-    if (y.what->axis != Axis::kY || !record.find((y.what - 1)->name)) continue;
+    if (y.what->axis != Axis::kY || !record.find(other_axis(*y.what).name)) continue;
     pair = true;
     for (double& value : y.value) value = -value;
   }
@@ -157,11 +187,7 @@ bool no_better(const Alignment& free, const Alignment& held) {
   return *held.residual <= std::max(kTwice * *free.residual, kNothing);
 }
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kAsFar = 1.5;  // size ratios beyond this factor, or its inverse, are mentioned
-
-// Avoids a negative zero.
-double rounded_to(double value, double unit) { return std::round(value / unit) * unit + 0.0; }
 
 }  // namespace
 
@@ -227,31 +253,6 @@ Alignment align(const MeasuredRecord& record, const SampledRun& run,
   if (found.other_size) told += other_size_text(*found.other_size) + "; ";
   if (found.mirrored) told += mirrored_text(*found.mirrored) + "; ";
   throw MeasuredError(told + "to compare them anyway, give the shift with --measured-shift");
-}
-
-std::string channels_text(const std::vector<std::string>& by) {
-  if (by.size() < 2) return fmt::format("{}", fmt::join(by, ""));
-  return fmt::format("{} and {}", fmt::join(by.begin(), by.end() - 1, ", "), by.back());
-}
-
-std::string other_size_text(const LagScore& at) {
-  return fmt::format(
-      "at {:+.3f} ms they agree better in shape (correlation {:.4f}), but the record is {:.3g} "
-      "times "
-      "as large; check its unit",
-      1e3 * at.shift, at.correlation, at.gain);
-}
-
-std::string mirrored_text(const Mirrored& m) {
-  constexpr double kExchanged = 1.0;  // degrees
-  const double angle = m.angle / kDegree;
-  const bool exchanged = std::abs(std::abs(angle) - 90.0) < kExchanged;
-  return fmt::format(
-      "with {} the record would fit: shift {:+.6f} ms, sensors' x axis at {:+.3f}°, residual "
-      "{:.3g} % of the run's rms; if the machine does not whirl the other way than the run, give "
-      "{}",
-      exchanged ? "x and y of the sensors exchanged" : "y of the sensors mirrored",
-      rounded_to(1e3 * m.shift, 1e-6), rounded_to(angle, 1e-3), 100.0 * m.residual, m.flag);
 }
 
 std::string alignment_text(const Alignment& a) {

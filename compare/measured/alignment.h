@@ -93,8 +93,5 @@ Alignment best_alignment(const MeasuredRecord& record, const SampledRun& run,
 
 // The alignment as a sentence: "shift +1.234567 ms, angle 12.3 deg, by rotor ...".
 std::string alignment_text(const Alignment& alignment);
-std::string mirrored_text(const Mirrored& mirrored);
-std::string other_size_text(const LagScore& at);
-std::string channels_text(const std::vector<std::string>& by);  // "rotor, ring and gap"
 
 }  // namespace rotorub

@@ -49,7 +49,7 @@ VectorXcd Channel::of(const SampledRun& run, const SampleTimes& at) const {
   using Values = Eigen::Map<const VectorXd>;
   const std::vector<double> x = run.values(*what, at, pair ? 0.0 : frame);
   VectorXcd z = Values(x.data(), static_cast<Index>(x.size())).cast<std::complex<double>>();
-  if (pair) z.imag() = Values(run.values(*(what + 1), at).data(), z.size());
+  if (pair) z.imag() = Values(run.values(other_axis(*what), at).data(), z.size());
   return z / scale;
 }
 
@@ -68,8 +68,8 @@ std::vector<Channel> channels_of(const MeasuredRecord& record, const SampledRun&
     for (const Measurable& m : measurables()) {
       const MeasuredColumn* x = column(m);
       if (m.group != group || !x) continue;
-      if (m.axis == Axis::kY && column(*(&m - 1))) continue;  // handled with its x
-      const MeasuredColumn* y = m.axis == Axis::kX ? column(*(&m + 1)) : nullptr;
+      if (m.axis == Axis::kY && column(other_axis(m))) continue;  // handled with its x
+      const MeasuredColumn* y = m.axis == Axis::kX ? column(other_axis(m)) : nullptr;
       Channel channel{&m, y != nullptr, angle, 1.0, {}, {}};
       take_record(*x, y, all, channel);
       const double scale = deviation(channel.of(run, of_run));

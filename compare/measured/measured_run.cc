@@ -59,7 +59,7 @@ class LayingIn {
       const auto lacks = [&](const SampledRun& run) { return !run.has(*c.what); };
       const bool of_contact = c.what->name == "gap" || c.what->name.ends_with("force");
       const bool none =
-          (of_contact && !scene_.first().contact) || std::any_of(runs.begin(), runs.end(), lacks);
+          (of_contact && !scene_.has_contact()) || std::any_of(runs.begin(), runs.end(), lacks);
       if (none)
         remark("{} is left out, because the runs of this scene have no such quantity",
                c.what->name);
@@ -158,7 +158,7 @@ class LayingIn {
 
   void add_figures(const Trajectory& native) {
     FigureFacts facts{times_.t, record_.interval, {}};
-    if (scene_.first().contact) facts.clearance = scene_.first().contact->clearance;
+    if (scene_.has_contact()) facts.clearance = scene_.first().contact->clearance;
     // From the run's own rows, at their resolution.
     constexpr std::size_t kMost = 1 << 14;
     const double from = times_.t.front(), to = times_.t.back(), rate = 1.0 / record_.interval;
@@ -190,7 +190,7 @@ class LayingIn {
         continue;
       }
       // A pair is turned into the scene's frame; a single axis cannot be.
-      const HeldColumn* y = find_column(held_, (x.what + 1)->name);
+      const HeldColumn* y = find_column(held_, other_axis(*x.what).name);
       if (x.what->axis != Axis::kX || !y) continue;
       MeasuredColumn own = x, other = *y;
       for (std::size_t i = 0; i < own.value.size(); ++i) {

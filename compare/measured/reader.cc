@@ -9,10 +9,10 @@
 #include <cmath>
 
 #include "compare/base/table_text.h"
+#include "compare/measured/column_head.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/text.h"
-#include "native_model/trajectory/columns.h"
 
 namespace rotorub {
 namespace {
@@ -20,92 +20,6 @@ namespace {
 using scene::printable;
 
 constexpr double kLargestValue = 1e60;  // SI; keeps sums of squares finite
-constexpr std::string_view kTime = "t";
-
-const Measurable* measurable(std::string_view name) {
-  for (const Measurable& m : measurables()) {
-    if (name == m.name || (!m.other.empty() && name == m.other)) return &m;
-  }
-  return nullptr;
-}
-
-// Columns of the program's own series, including numbered ones ("x_2") and the outputs of a law
-// ("control_<name>").
-bool is_own_column(std::string_view name) {
-  constexpr std::string_view kLaw = "control_";
-  const std::string_view plain = contact_of_column(name).second;
-  const bool of_a_law = plain.starts_with(kLaw) && plain.size() > kLaw.size();
-  return of_a_law || series_column(name).name != "control_<name>";
-}
-
-std::vector<std::string_view> names() {
-  std::vector<std::string_view> all{kTime};
-  for (const Measurable& m : measurables()) all.push_back(m.name);
-  return all;
-}
-
-std::string accepted_names() { return fmt::format("{}", fmt::join(names(), ", ")); }
-
-std::string unknown_reason(std::string_view name) {
-  const std::string_view near = scene::nearest(name, names());
-  return fmt::format("no such column{}; choose from {}, each with its unit in [ ]",
-                     near.empty() ? "" : fmt::format(", did you mean {}?", near), accepted_names());
-}
-
-// "mil" from "mil pp", a unit followed by a word for the kind of amplitude; otherwise empty.
-std::string_view counted_unit(std::string_view unit) {
-  constexpr std::string_view kCounts[] = {"pp",       "p-p",  "pk-pk", "peak-peak", "peak to peak",
-                                          "pk to pk", "0-pk", "0-p",   "pk",        "rms"};
-  for (const std::string_view count : kCounts) {
-    if (boost::iends_with(unit, " " + std::string(count)))
-      return scene::trimmed(unit.substr(0, unit.size() - count.size()));
-  }
-  return {};
-}
-
-// An example of --measured-column for a column with a logger's own name. A name that ends in y,
-// such as CH1 Y, becomes rotor_y.
-std::string example_of(std::string_view name, std::string_view unit) {
-  const std::string_view plain = counted_unit(unit).empty() ? unit : counted_unit(unit);
-  const bool is_length =
-      !plain.empty() &&
-      scene::parse_quantity("1 " + std::string(plain), scene::kLength).error.empty();
-  return fmt::format("--measured-column \"{} = {} [{}]\"", printable(std::string(name)),
-                     boost::iends_with(name, "y") ? "rotor_y" : "rotor_x",
-                     is_length ? plain : std::string_view("um"));
-}
-
-// For a column of the file whose name is mostly a logger's own.
-std::string foreign_reason(std::string_view name, std::string_view unit) {
-  return fmt::format("{}; to read a column that has another name, give for example {}",
-                     unknown_reason(name), example_of(name, unit));
-}
-
-// A column's header: "rotor_x [um]" is a name and a unit, without brackets it is a name.
-struct Head {
-  std::string text, name, unit;
-  bool has_unit = false;
-  bool closed = true;                // the bracket is closed and nothing follows it
-  const Measurable* what = nullptr;  // null: the time, or an ignored column
-  double factor = 1.0;               // SI = value * factor
-  bool is_time() const { return name == kTime; }
-  bool read() const { return is_time() || what; }
-  const scene::Quantity& quantity() const { return is_time() ? scene::kTime : what->quantity; }
-
-  explicit Head(const std::string& field) : text(field), name(field) {
-    if (const std::size_t open = field.find_first_of("[("); open != std::string::npos) {
-      has_unit = true;
-      name = boost::trim_copy(field.substr(0, open));
-      unit = field.substr(open + 1);
-      closed = !unit.empty() && unit.find(field[open] == '[' ? ']' : ')') == unit.size() - 1;
-      if (closed) unit.pop_back();
-      boost::trim(unit);
-    }
-    if (boost::iequals(name, "time")) name = kTime;
-    what = measurable(name);
-  }
-};
-
 // Reads one file.
 class MeasuredFile {
  public:
@@ -120,7 +34,7 @@ class MeasuredFile {
     // the header, and its errors are reported.
     TableText table(text_, [&](const Fields& fields) {
       return fields.size() > 1 && std::ranges::any_of(fields, [&](const std::string& field) {
-               return Head(meant(field)).is_time();
+               return ColumnHead(meant(field)).is_time();
              });
     });
     if (table.header().empty()) {
@@ -170,9 +84,9 @@ class MeasuredFile {
 
   void take_header(const Fields& fields, int line) {
     const bool time_is_told = std::ranges::any_of(
-        names_, [](const ColumnName& name) { return Head(name.meant).is_time(); });
+        names_, [](const ColumnName& name) { return ColumnHead(name.meant).is_time(); });
     for (const std::string& field : fields) {
-      Head head(meant(field));
+      ColumnHead head(meant(field));
       head.text = field;
       // Another Time beside the column that is given as t.
       if (time_is_told && head.is_time() && meant(field) == field &&
@@ -182,16 +96,16 @@ class MeasuredFile {
     }
     check_names(fields, line);
     const auto any = [&](auto is) { return std::any_of(heads_.begin(), heads_.end(), is); };
-    record_.has_units = any([](const Head& h) { return h.has_unit; });
+    record_.has_units = any([](const ColumnHead& h) { return h.has_unit; });
     for (std::size_t k = 0; k < heads_.size(); ++k) {
-      const Head& head = heads_[k];
+      const ColumnHead& head = heads_[k];
       const std::string reason = fault_of(k);
       const std::string key = head.name.empty() ? fmt::format("column {}", k + 1) : head.name;
       if (!reason.empty()) refuse(line, printable(key), reason);
       if (head.what) record_.columns.push_back({head.what, head.text, {}, {}});
       if (!head.read()) record_.left_out.push_back(head.text);
     }
-    if (!any([](const Head& h) { return h.is_time(); })) {
+    if (!any([](const ColumnHead& h) { return h.is_time(); })) {
       refuse(line, "t",
              "no such column in the header: a record needs its times, as t [ms]; --measured-column "
              "\"Time = t [ms]\" says which column of another name they are");
@@ -212,7 +126,7 @@ class MeasuredFile {
   std::string meant(const std::string& field) const {
     for (const ColumnName& name : names_) {
       if (!is_called(field, name)) continue;
-      const bool has_unit = Head(name.meant).has_unit;
+      const bool has_unit = ColumnHead(name.meant).has_unit;
       const std::size_t unit = field.find_first_of("[(");
       return has_unit || unit == std::string::npos ? name.meant
                                                    : name.meant + " " + field.substr(unit);
@@ -223,7 +137,7 @@ class MeasuredFile {
   // Refuses a given name whose column does not exist or whose meaning is unknown.
   void check_names(const Fields& fields, int line) {
     for (const ColumnName& name : names_) {
-      const Head head(name.meant);
+      const ColumnHead head(name.meant);
       if (!head.read()) refuse(line, printable(name.meant), unknown_reason(head.name));
       if (std::any_of(fields.begin(), fields.end(),
                       [&](const std::string& field) { return is_called(field, name); }))
@@ -236,7 +150,7 @@ class MeasuredFile {
 
   // The error in a column's header; if it is empty, the column's factor is set.
   std::string fault_of(std::size_t k) {
-    Head& head = heads_[k];
+    ColumnHead& head = heads_[k];
     if (head.name.empty()) return "has no name; choose from " + accepted_names();
     if (!head.read())
       return is_own_column(head.name) || !names_.empty() ? ""
@@ -276,7 +190,7 @@ class MeasuredFile {
   void take_sample(const TableText& table) {
     std::size_t column = 0;
     for (std::size_t k = 0; k < heads_.size(); ++k) {
-      const Head& head = heads_[k];
+      const ColumnHead& head = heads_[k];
       const std::string& field = table.row()[k];
       const bool missing = field.empty();
       if (!head.read()) continue;
@@ -303,7 +217,7 @@ class MeasuredFile {
   }
 
   // The value in SI.
-  double number_of(const std::string& field, const Head& head, const TableText& table) {
+  double number_of(const std::string& field, const ColumnHead& head, const TableText& table) {
     const auto fail = [&](const std::string& reason) {
       refuse(table.line(), printable(head.text), fmt::format("`{}` {}", printable(field), reason));
       return 0.0;
@@ -338,7 +252,7 @@ class MeasuredFile {
   std::string_view text_;
   const std::vector<ColumnName>& names_;
   MeasuredRecord record_;
-  std::vector<Head> heads_;
+  std::vector<ColumnHead> heads_;
   char decimal_ = '\0';  // decimal mark of the file, once it is known
   std::vector<scene::Diagnostic> wrong_;
 };

@@ -121,6 +121,12 @@ void resolve(const Eigen::Matrix2d& places, MeasuredColumn& x, MeasuredColumn& y
 
 std::span<const Measurable> measurables() { return kMeasurables; }
 
+const Measurable& other_axis(const Measurable& what) {
+  std::string name(what.name);
+  name.back() = what.axis == Axis::kX ? 'y' : 'x';
+  return *std::ranges::find(kMeasurables, name, &Measurable::name);
+}
+
 std::size_t MeasuredColumn::count(Sample kind) const {
   return static_cast<std::size_t>(std::count(sample.begin(), sample.end(), kind));
 }

@@ -33,8 +33,9 @@ struct Measurable {
   std::string_view unit() const { return quantity.unit; }
 };
 
-// All measurable quantities; each x precedes its y.
-std::span<const Measurable> measurables();
+std::span<const Measurable> measurables();  // all of them; each x comes before its y
+// The same quantity along the other axis. what: has an axis.
+const Measurable& other_axis(const Measurable& what);
 inline constexpr int kChannelGroups = 5;
 inline constexpr std::string_view kContactForce =
     "force";  // the only quantity that is averaged over a sample

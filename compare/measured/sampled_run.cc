@@ -88,8 +88,7 @@ std::vector<double> SampledRun::values(const Measurable& what, const SampleTimes
                                        double angle) const {
   std::vector<double> own = values(what, times);
   if (what.axis == Axis::kNone || angle == 0.0) return own;
-  // Each x precedes its y.
-  const std::vector<double> other = values(*(what.axis == Axis::kX ? &what + 1 : &what - 1), times);
+  const std::vector<double> other = values(other_axis(what), times);
   const double c = std::cos(angle), s = std::sin(what.axis == Axis::kX ? angle : -angle);
   for (std::size_t i = 0; i < own.size(); ++i) own[i] = c * own[i] + s * other[i];
   return own;

@@ -34,7 +34,7 @@ struct Share {
 }  // namespace
 
 std::optional<ModeBand> mode_band(const scene::Scene& scene) {
-  if (!scene.first().contact || !scene.rotor.geometry) return {};
+  if (!scene.has_contact() || !scene.rotor.geometry) return {};
   return mode_band(
       with_place(scene, [&] { return whirl_spectrum(whirl_system(scene), scene.rotor.speed); }));
 }

@@ -23,6 +23,16 @@ std::vector<RotorPath> rotor_paths(const Trajectory& run) {
   return paths;
 }
 
+// The first n counted impacts.
+std::vector<Impact> first_impacts(const Trajectory& trajectory, std::size_t n) {
+  std::vector<Impact> first;
+  for (const Impact& impact : trajectory.impacts) {
+    if (first.size() == n) break;
+    if (counts(impact)) first.push_back(impact);
+  }
+  return first;
+}
+
 }  // namespace
 
 Divergence divergence(const Trajectory& a, const Trajectory& b, double threshold) {
@@ -56,15 +66,6 @@ Divergence divergence(const Trajectory& a, const Trajectory& b, double threshold
   }
   if (result.rows > 0) result.rms_distance = std::sqrt(square / static_cast<double>(result.rows));
   return result;
-}
-
-std::vector<Impact> first_impacts(const Trajectory& trajectory, std::size_t n) {
-  std::vector<Impact> first;
-  for (const Impact& impact : trajectory.impacts) {
-    if (first.size() == n) break;
-    if (counts(impact)) first.push_back(impact);
-  }
-  return first;
 }
 
 std::vector<ImpactPair> pair_impacts(const Trajectory& a, const Trajectory& b, std::size_t n) {

@@ -31,7 +31,4 @@ struct ImpactPair {
 // The first `n` pairs at most. With a soft contact, an impact is an episode of contact.
 std::vector<ImpactPair> pair_impacts(const Trajectory& a, const Trajectory& b, std::size_t n);
 
-// The first n counted impacts.
-std::vector<Impact> first_impacts(const Trajectory& trajectory, std::size_t n);
-
 }  // namespace rotorub

@@ -157,7 +157,6 @@ namespace {
 
 // N, of the compliant contacts: the load on the ring of a catcher bearing.
 double largest_force(const Statistics& s, const std::vector<ContactFacts>& contacts) {
-  if (s.contacts.empty()) return s.peak_force;
   double largest = 0.0;
   for (std::size_t k = 0; k < s.contacts.size(); ++k) {
     if (contacts[k].is_compliant) largest = std::max(largest, s.contacts[k].peak_force);
@@ -172,7 +171,7 @@ DeepestPenetration deepest_penetration(const Statistics& s,
   assert(!contacts.empty());
   DeepestPenetration deepest;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const ContactStatistics& own = s.contacts.empty() ? s : s.contacts[k];
+    const ContactStatistics& own = s.contacts[k];
     const double share = own.max_penetration / contacts[k].clearance;
     if (k == 0 || share > deepest.share) deepest = {k, own.max_penetration, share};
   }

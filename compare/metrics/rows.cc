@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
 
 #include "native_model/trajectory/recorder.h"
 
@@ -82,7 +81,7 @@ std::vector<double> even_times(double from, double to, std::size_t count) {
 }
 
 std::vector<double> dense_times(const scene::Run& run, std::size_t rows) {
-  const auto steps = static_cast<std::size_t>(std::ceil(run.end / run.step - 1e-9));
+  const auto steps = static_cast<std::size_t>(scene::step_count(run.end, run.step));
   const std::size_t stride = std::max<std::size_t>(1, (steps + rows - 1) / rows);
   std::vector<double> times = output_times(run);
   for (std::size_t k = 0; k <= steps; k += stride) {

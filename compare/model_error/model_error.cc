@@ -111,7 +111,7 @@ ModelError model_error(const scene::Scene& scene, const ModelErrorParameters& pa
                                          : "a scene in modal form has no further modes";
     return error;
   }
-  if (!scene.first().contact) {
+  if (!scene.has_contact()) {
     error.reason = "without a contact nothing is judged";
     return error;
   }

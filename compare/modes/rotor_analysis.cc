@@ -112,7 +112,7 @@ void add_response(const scene::Scene& scene, const std::vector<double>& speeds,
   const bool controls =
       std::ranges::any_of(scene.magnetic_bearings,
                           [](const scene::MagneticBearing& b) { return b.control.has_value(); });
-  if (!scene.first().contact && !controls) return;
+  if (!scene.has_contact() && !controls) return;
   const scene::Scene free = in_operation(without_start(scene));
   const Model model = prepare(free);
   for (double speed : speeds) analysis.levitations.push_back(levitation(model, speed));

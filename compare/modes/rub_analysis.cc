@@ -79,7 +79,7 @@ std::string leave_out(scene::Scene& scene) {
 
 RubAnalyses rubs_of_contact(scene::Scene scene, const std::vector<double>& speeds) {
   RubAnalyses all;
-  if (!scene.first().contact) return all;
+  if (!scene.has_contact()) return all;
   try {
     const std::string left_out = leave_out(scene);
     with_place(scene, [&] {

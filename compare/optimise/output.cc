@@ -137,8 +137,6 @@ std::string unit_of(const FigurePath& figure) {
   return key == keys.end() ? std::string() : std::string(key->unit);
 }
 
-std::string constraint_text(const Constraint& c) { return c.figure.text + " " + limit_text(c); }
-
 Section result_of(const std::string& name, const Task& task, const Optimum& optimum) {
   const char* goal = task.goal.maximise ? "maximise" : "minimise";
   const std::string& figure = task.goal.figure.text;
@@ -168,7 +166,9 @@ nlohmann::json search_json(const Task& task, const Optimum& optimum) {
             {"log", vary.spacing == sweep::Spacing::kLog}};
   };
   const auto constraint = [](const Constraint& c) -> nlohmann::json {
-    return {{"name", c.figure.text}, {"unit", unit_of(c.figure)}, {"text", constraint_text(c)}};
+    return {{"name", c.figure.text},
+            {"unit", unit_of(c.figure)},
+            {"text", c.figure.text + " " + limit_text(c)}};
   };
   const auto evaluation = [](const Evaluation& e) -> nlohmann::json {
     return {{"values", e.values},

@@ -31,7 +31,4 @@ std::string edge_text(const Task& task, const Optimum& optimum);
 // The SI unit of a figure; empty if dimensionless, and for figures of modes.
 std::string unit_of(const FigurePath& figure);
 
-// "least_gap >= 0.0001"
-std::string constraint_text(const Constraint& constraint);
-
 }  // namespace rotorub::optimise

@@ -348,7 +348,7 @@ std::vector<Omission> measure_omissions(const MujocoSetup& setup, double end,
                                         const std::atomic<bool>* interrupt) {
   const MujocoInPlace mujoco;
   OmissionMeter meter(setup);
-  const auto steps = static_cast<std::int64_t>(std::ceil(end / setup.m->opt.timestep - 1e-9));
+  const std::int64_t steps = scene::step_count(end, setup.m->opt.timestep);
   for (std::int64_t k = 0; k < steps; ++k) {
     if (interrupt && interrupt->load(std::memory_order_relaxed)) break;
     meter.step();

@@ -245,6 +245,7 @@ StoredRun read_run(const path& folder) {
                                 json_reason(error)));
   }
   t.contacts = run.scene.auxiliary.size();
+  t.statistics.contacts.resize(t.contacts);
   read_series(folder / kSeries, t);
   read_impacts(folder / kImpacts, t);
   // Runs of earlier versions have no such file.

@@ -124,7 +124,7 @@ std::string whose_verdict(const SceneComparison& c) {
 
 std::string no_contact_note(const SceneComparison& c) {
   if (!c.is_untouched()) return "";
-  if (!c.scene.first().contact) return "The scene has no [contact], so no force was judged.";
+  if (!c.scene.has_contact()) return "The scene has no [contact], so no force was judged.";
   const double gap = figure("near_miss").value(c.native.metrics);
   return fmt::format("Nothing touches in {}{}, so no force was judged. Run longer (--end), or {}.",
                      time_text(c.native.trajectory.end),

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "compare/base/median.h"
 #include "compare/own/own_machine.h"
 #include "native_model/model/model.h"
 #include "native_model/prepare/prepare.h"
@@ -21,12 +22,9 @@ constexpr double kMujocoWork = 15.0;
 void finish(Side& side) {
   Timing& timing = side.timing;
   if (timing.us_per_step.empty()) return;
-  std::vector<double> times = timing.us_per_step;
-  std::sort(times.begin(), times.end());
-  const std::size_t n = times.size();
-  timing.median = n % 2 == 1 ? times[n / 2] : 0.5 * (times[n / 2 - 1] + times[n / 2]);
-  timing.lowest = times.front();
-  timing.highest = times.back();
+  timing.median = median(timing.us_per_step);
+  timing.lowest = std::ranges::min(timing.us_per_step);
+  timing.highest = std::ranges::max(timing.us_per_step);
   Metrics& m = side.metrics;
   m.us_per_step = timing.median;
   m.wall_s = side.trajectory.wall_s = 1e-6 * timing.median * static_cast<double>(m.steps);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "native_model/event/driver.h"
 #include "native_model/model/dynamics.h"
@@ -11,14 +12,16 @@
 namespace rotorub {
 
 void OnsetWatch::step(const WatchedStep& s) {
-  if (s.normal_impulse > 0.0) {
-    if (flew()) begin_contact(s);
-    if (open_) add(s);
-    flight_ = 0;
-  } else {
-    if (open_ && flight_ == 0) end_force(s);
-    ++flight_;
+  const bool force = std::ranges::any_of(
+      s.contacts, [](const WatchedContact& c) { return c.normal_impulse > 0.0; });
+  if (force && flew()) begin_contact(s);
+  if (open_) {
+    find_rebound(s);
+    if (force) add(s);
   }
+  flight_ = force ? 0 : flight_ + 1;
+  for (std::size_t i = 0; i < s.contacts.size(); ++i)
+    had_force_[i] = s.contacts[i].normal_impulse > 0.0;
   const Layout& l = model_->layout;
   before_.t = s.t;
   before_.q = Eigen::VectorXd::Zero(l.nq());
@@ -32,42 +35,66 @@ void OnsetWatch::step(const WatchedStep& s) {
 void OnsetWatch::begin_contact(const WatchedStep& s) {
   if (open_) onsets_.back().end = 0.5 * (last_force_ + s.t);
   open_ = false;
-  const ContactPoint p = contact_point(*model_, before_.q.data(), before_.v.data());
-  if (p.gap <= 0.0 || p.gap_rate >= 0.0) {
+  Onset onset;
+  onset.touch = s.t + s.h;
+  bool touched = false;
+  for (std::size_t i = 0; i < s.contacts.size(); ++i) {
+    if (!(s.contacts[i].normal_impulse > 0.0)) continue;
+    const ContactPoint p = contact_point(*model_, before_.q.data(), before_.v.data(), i);
+    touched = touched || p.gap <= 0.0;
+    if (p.gap_rate >= 0.0) continue;
+    const double touch = std::min(before_.t + p.gap / -p.gap_rate, s.t + s.h);
+    if (onset.closing > 0.0 && touch >= onset.touch) continue;
+    onset.touch = touch;
+    onset.closing = -p.gap_rate;
+  }
+  if (touched || onset.closing == 0.0) {
     ++left_out_;
     return;
   }
-  Onset onset;
   onset.before = before_;
-  onset.touch = std::min(before_.t + p.gap / -p.gap_rate, s.t + s.h);
-  onset.closing = -p.gap_rate;
   onsets_.push_back(std::move(onset));
   open_ = true;
   rebounded_ = false;
   window_ = ImpulseWindow(kWindowSteps * s.h);
 }
 
+// Adds the impulses of a step. The force of a step that has no impact acts around the start of the
+// step.
 void OnsetWatch::add(const WatchedStep& s) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  double impulse = 0.0, first_impact = kNever, begin = kNever;
+  last_force_ = 0.0;
+  for (const WatchedContact& at : s.contacts) {
+    if (!(at.normal_impulse > 0.0)) continue;
+    impulse += at.normal_impulse;
+    if (at.impact) first_impact = std::min(first_impact, at.impact_time);
+    begin = std::min(begin, at.impact ? at.impact_time : s.t);
+    last_force_ = std::max(last_force_, at.impact ? at.impact_time : s.t + 0.5 * s.h);
+  }
   Onset& o = onsets_.back();
   ContactResult& c = o.mujoco;
-  if (s.impact && c.impulse == 0.0) o.touch = s.impact_time;
-  c.impulse += s.normal_impulse;
-  window_.add(s.impact ? s.impact_time : s.t, s.normal_impulse);
+  if (first_impact < kNever && c.impulse == 0.0) o.touch = first_impact;
+  c.impulse += impulse;
+  window_.add(begin, impulse);
   c.window_impulse = window_.largest();
-  // The force of a step that has no impact acts around the start of the step.
-  last_force_ = s.impact ? s.impact_time : s.t + 0.5 * s.h;
   c.duration = std::max(0.0, last_force_ - o.touch);
-  if (s.impact && !rebounded_) {
-    c.rebound = s.gap_rate_after;
-    rebounded_ = true;
-  }
 }
 
-// Called at the first step without force after steps with force.
-void OnsetWatch::end_force(const WatchedStep& s) {
+// The first rebound is that of the first impact, or of the first bearing whose force ends.
+void OnsetWatch::find_rebound(const WatchedStep& s) {
   if (rebounded_) return;
-  onsets_.back().mujoco.rebound = contact_point(*model_, s.q, s.v).gap_rate;
-  rebounded_ = true;
+  double time = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < s.contacts.size(); ++i) {
+    const WatchedContact& c = s.contacts[i];
+    const bool force = c.normal_impulse > 0.0, ended = had_force_[i] && !force;
+    const double at = ended ? s.t : c.impact_time;
+    if (!((force && c.impact) || ended) || at >= time) continue;
+    time = at;
+    onsets_.back().mujoco.rebound =
+        ended ? contact_point(*model_, s.q, s.v, i).gap_rate : c.gap_rate_after;
+    rebounded_ = true;
+  }
 }
 
 std::vector<Onset> OnsetWatch::finish(double end) {
@@ -177,14 +204,15 @@ void read(const Trajectory& t, PredictedOnset& o) {
   const Statistics& s = t.statistics;
   o.native.impulse = s.impulse_total;
   o.native.window_impulse = s.window_impulse;
-  bool lasts = false;
+  std::vector<bool> lasts(t.contacts, false);
   double last = s.first_touch;
   for (const Event& e : t.events) {
-    lasts = e.kind == EventKind::kSlide || e.kind == EventKind::kStick ||
-            (lasts && e.kind != EventKind::kLiftOff);
+    if (e.kind == EventKind::kSlide || e.kind == EventKind::kStick)
+      lasts[static_cast<std::size_t>(e.contact)] = true;
+    if (e.kind == EventKind::kLiftOff) lasts[static_cast<std::size_t>(e.contact)] = false;
     if (e.kind == EventKind::kImpact || e.kind == EventKind::kLiftOff) last = e.t;
   }
-  if (lasts) last = t.end;
+  if (std::ranges::count(lasts, true) > 0) last = t.end;
   if (s.first_touch >= 0.0) o.native.duration = std::max(0.0, last - s.first_touch);
   if (!t.impacts.empty()) o.native.rebound = t.impacts.front().gap_rate_after;
   for (const Impact& impact : t.impacts) {
@@ -209,11 +237,10 @@ std::vector<PredictedOnset> predict(const scene::Scene& scene, const std::vector
     if (interrupt && interrupt->load(std::memory_order_relaxed)) break;
     PredictedOnset o{onset, {}, 0.0, Status::kOk, {}};
     Recorder recorder(model, {}, kWindowSteps * step);
-    const EventIntegrator::Result result =
-        integrator.run(onset.before, onset.end, recorder, {}, interrupt);
+    const RunEnd result = integrator.run(onset.before, onset.end, recorder, {}, interrupt);
     o.status = result.status;
     o.message = result.message;
-    read(recorder.finish(result.end), o);
+    read(recorder.finish(result), o);
     predicted.push_back(std::move(o));
     if (progress) {
       progress(static_cast<double>(predicted.size()) / static_cast<double>(onsets.size()));

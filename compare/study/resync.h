@@ -41,7 +41,8 @@ struct Onset {
 };
 
 // Finds the onsets of contact while a MuJoCo run proceeds: the state just before each, and the
-// result of the contact that follows.
+// result of the contact that follows. Several auxiliary bearings count as one contact, whose
+// impulse is the sum of theirs.
 //
 // An onset is the first impulse after a free phase of at least kShortestFlight steps; a start in
 // contact is not an onset. The contact lasts until half-way through the next such phase (or to the
@@ -50,29 +51,31 @@ struct Onset {
 class OnsetWatch {
  public:
   // model: the scene's, including coils; it must outlive this.
-  explicit OnsetWatch(const Model& model) : model_(&model) {}
+  explicit OnsetWatch(const Model& model)
+      : model_(&model), had_force_(model.auxiliary.size(), false) {}
 
   void step(const WatchedStep& step);
   // Ends the last contact. end: of the run, s.
   std::vector<Onset> finish(double end);
   // First impulses after a flight that are not onsets because the rotor still touched the ring one
-  // step earlier or did not approach it. This can happen with soft contacts.
+  // step earlier or did not approach any ring. This can happen with soft contacts.
   int left_out() const { return left_out_; }
 
  private:
   void begin_contact(const WatchedStep& step);
   void add(const WatchedStep& step);
-  void end_force(const WatchedStep& step);
+  void find_rebound(const WatchedStep& step);
   bool flew() const { return flight_ >= kShortestFlight; }
 
   const Model* model_;
   std::vector<Onset> onsets_;
-  State before_;             // of the previous step
-  ImpulseWindow window_;     // over the last onset's contact
-  bool open_ = false;        // the last onset's contact is in progress
-  bool rebounded_ = false;   // its rebound is known
-  double last_force_ = 0.0;  // s
-  int flight_ = 0;           // steps without an impulse
+  State before_;                 // of the previous step
+  ImpulseWindow window_;         // over the last onset's contact
+  std::vector<bool> had_force_;  // in the previous step, of each auxiliary bearing
+  bool open_ = false;            // the last onset's contact is in progress
+  bool rebounded_ = false;       // its rebound is known
+  double last_force_ = 0.0;      // s
+  int flight_ = 0;               // steps without an impulse
   int left_out_ = 0;
 };
 

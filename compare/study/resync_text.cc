@@ -36,18 +36,20 @@ nlohmann::json onset_json(const PredictedOnset& o) {
           {"other", contact_json(o.mujoco)}};
 }
 
-}  // namespace
-
+// In % with three digits: "0.52", "<0.001".
 std::string percents(double share) {
   const double p = 100.0 * std::abs(share);
   if (p > 0.0 && p < 1e-3) return "<0.001";
   return p < 1000.0 ? fmt::format("{:.3g}", p) : fmt::format("{:.0f}", p);
 }
 
+// A signed share with three digits: "-0.52 %", "+<0.001 %".
 std::string signed_percent(double share) {
   const char* sign = share > 0.0 ? "+" : share < 0.0 ? "-" : "";
   return sign + percents(share) + " %";
 }
+
+}  // namespace
 
 std::string why(const Resync& r, double tolerance) {
   if (r.failed > 0) return failure_text(r, fmt::format(" of {}", r.onsets.size()));

@@ -19,9 +19,4 @@ std::vector<std::string> resync_reasons(const std::string& contact, const Resync
 // One row per contact model and figure; in JSON at "differences/<contact>/resync".
 std::vector<result::Part> resync_parts(const SceneComparison& comparison);
 
-// In % with three digits: "0.52", "<0.001".
-std::string percents(double share);
-// A signed share with three digits: "-0.52 %", "+<0.001 %".
-std::string signed_percent(double share);
-
 }  // namespace rotorub

@@ -22,14 +22,14 @@ std::string field_of(const Statement& row, int column) {
   return row.is_whole(column) ? std::to_string(row.whole(column)) : csv_number(row.number(column));
 }
 
-}  // namespace
-
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
   return quoted + '"';
 }
+
+}  // namespace
 
 std::string csv_number(const std::optional<double>& value) {
   std::string digits;

@@ -28,9 +28,8 @@ StudyIdentity identity_of(const PointScenes& scenes);
 // Throws StoreMismatch if the folder holds results of another study.
 void keep_study(const std::filesystem::path& folder, const PointScenes& scenes);
 
-// Put in double quotes if it contains commas, quotes or line breaks (RFC 4180).
-std::string csv_field(const std::string& text);
 std::string csv_number(const std::optional<double>& value);  // empty without a value
+// Texts that contain commas, quotes or line breaks are put in double quotes (RFC 4180).
 std::string csv_line(const std::vector<std::string>& texts);
 
 // Writes the rows of a store as text in the study's order: a header line, then one line per point.

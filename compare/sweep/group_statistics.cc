@@ -37,6 +37,16 @@ std::size_t least_at_share(std::size_t n, double p, double share) {
   return at;
 }
 
+// The standard deviation with divisor n - 1; 0 for one value.
+double deviation_of(std::span<const double> values) {
+  if (values.size() < 2) return 0.0;
+  const auto n = static_cast<double>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  double sum = 0.0;
+  for (const double value : values) sum += (value - mean) * (value - mean);
+  return std::sqrt(sum / (n - 1.0));
+}
+
 // The values of one figure in one group.
 struct Gathered {
   std::vector<std::string> group;  // the value of each key in Statistics::by
@@ -132,15 +142,6 @@ Estimate mean_of(std::span<const double> values, double confidence) {
   out.low = out.value - half;
   out.high = out.value + half;
   return out;
-}
-
-double deviation_of(std::span<const double> values) {
-  if (values.size() < 2) return 0.0;
-  const auto n = static_cast<double>(values.size());
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
-  double sum = 0.0;
-  for (const double value : values) sum += (value - mean) * (value - mean);
-  return std::sqrt(sum / (n - 1.0));
 }
 
 Estimate share_of(std::size_t hits, std::size_t count, double confidence) {

@@ -33,9 +33,6 @@ Estimate quantile_of(std::span<const double> sorted, double p, double confidence
 // approximate for many values. At least one value; a single value has no bounds.
 Estimate mean_of(std::span<const double> values, double confidence);
 
-// The standard deviation with divisor n - 1, without bounds; 0 for one value.
-double deviation_of(std::span<const double> values);
-
 // The share hits / count with the bounds of Clopper and Pearson (1934), whose confidence is at
 // least the requested one. count >= 1, hits in [0, count].
 Estimate share_of(std::size_t hits, std::size_t count, double confidence);

@@ -8,7 +8,7 @@
 namespace rotorub {
 
 struct Coil {
-  double lag = 0.0;            // s, > 0
+  double lag = 0.0;            // s, 0: the current follows at once, and load() is not used
   double rate_limit = 0.0;     // A/s, > 0, infinity: none
   double voltage_limit = 0.0;  // V, > 0, infinity: none
   double inductance = 0.0;     // H, > 0

@@ -8,9 +8,11 @@
 #include "native_model/numerics/root.h"
 
 namespace rotorub {
+namespace {
 
-// Integrates u = |v| over the share x of the impulse, u' = L (s c - g_TT mu(u)) with s = sign(v);
-// the mean of mu follows from the result.
+// The mean of mu over a normal impulse L (N s, > 0). before: m/s, slip v at its start; drift: c,
+// 1/kg; mobility: g_TT, 1/kg, > 0. Integrates u = |v| over the share x of the impulse, u' = L (s c
+// - g_TT mu(u)) with s = sign(v); the mean of mu follows from the result.
 double mean_friction(const FrictionLaw& law, double before, double drift, double mobility,
                      double normal) {
   const double sticking = law.sticking();
@@ -52,6 +54,8 @@ double mean_friction(const FrictionLaw& law, double before, double drift, double
   }
   return mean_until(1.0, u);
 }
+
+}  // namespace
 
 bool ImpactFriction::improve(double normal, double friction, double after, double mobility) {
   constexpr int kMostRounds = 100;

@@ -14,11 +14,6 @@
 
 namespace rotorub {
 
-// The mean of mu over a normal impulse (N s, > 0). before: m/s, slip at its start; drift: c, 1/kg;
-// mobility: g_TT, 1/kg, > 0.
-double mean_friction(const FrictionLaw& law, double before, double drift, double mobility,
-                     double normal);
-
 // Usage: solve with mu(), call improve(), and repeat until it returns false.
 class ImpactFriction {
  public:

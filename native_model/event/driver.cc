@@ -32,9 +32,9 @@ EventIntegrator::EventIntegrator(const Model& model, const EventParameters& para
   for (std::size_t k = 0; k < model.auxiliary.size(); ++k) sampled_.emplace_back(model, k);
 }
 
-EventIntegrator::Result EventIntegrator::run(const State& start, double end, Recorder& recorder,
-                                             const std::function<void(double)>& progress,
-                                             const std::atomic<bool>* interrupt) {
+RunEnd EventIntegrator::run(const State& start, double end, Recorder& recorder,
+                            const std::function<void(double)>& progress,
+                            const std::atomic<bool>* interrupt) {
   begin(start, end, recorder);
   std::int64_t ticks = 0;
   while (look_ahead()) {
@@ -48,7 +48,6 @@ EventIntegrator::Result EventIntegrator::run(const State& start, double end, Rec
   }
   count_switching_work();
   result_.end = motion_.t;
-  result_.rejected = step_.rejected();
   observer_.finish(motion_);
   return result_;
 }

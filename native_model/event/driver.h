@@ -28,15 +28,8 @@ class EventIntegrator {
   EventIntegrator(const EventIntegrator&) = delete;
   EventIntegrator& operator=(const EventIntegrator&) = delete;
 
-  struct Result {
-    Status status = Status::kOk;
-    std::string message;
-    std::int64_t steps = 0;  // accepted
-    std::int64_t rejected = 0;
-    double end = 0.0;  // s, time reached
-  };
   // Runs from `start` to `end` (s), into the recorder. progress: gets the fraction that is done.
-  Result run(const State& start, double end, Recorder& recorder,
+  RunEnd run(const State& start, double end, Recorder& recorder,
              const std::function<void(double)>& progress = {},
              const std::atomic<bool>* interrupt = nullptr);
 
@@ -68,7 +61,7 @@ class EventIntegrator {
   void cut(double t, const std::function<void()>& jump);
   // Moves the end to a later time, s; the old end becomes a break like any other.
   void extend_end(double end);
-  const Result& result() const { return result_; }
+  const RunEnd& result() const { return result_; }
 
   // The complete changing state except the recorder; only this integrator can restore it.
   struct Moving;
@@ -146,7 +139,7 @@ class EventIntegrator {
   EventImpact impacts_;
 
   Ahead ahead_;
-  Result result_;
+  RunEnd result_;
   std::vector<SampledCommand> sampled_;  // one per auxiliary bearing
   double end_ = 0.0;                     // s
   std::vector<double> force_scale_;      // N, largest force at each contact so far, also balanced

@@ -321,8 +321,7 @@ void Observer::finish(const Motion& end) {
   s.external_work = end.integral(kExternalWork);
   s.energy_end = energy(*model_, end.t, end.q(), end.v());
   s.energy_scale = std::max(energy_scale_, std::abs(s.energy_end));
-  s.passes = of_contacts_.front().passes;
-  if (of_contacts_.size() > 1) s.contacts = of_contacts_;
+  s.contacts = of_contacts_;
 }
 
 }  // namespace rotorub

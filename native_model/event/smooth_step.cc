@@ -31,7 +31,6 @@ SmoothStep::SmoothStep(const Model& model, const EventParameters& parameters, Ph
 
 void SmoothStep::begin(const Motion& start, double first) {
   next_ = first;
-  rejected_ = 0;
   displacement_ = model_->has_contact() ? 0.0 : kLeastDisplacement;
   for (const AuxiliaryBearing& bearing : model_->auxiliary) {
     if (bearing.contact) displacement_ = std::max(displacement_, bearing.contact->clearance);
@@ -153,7 +152,6 @@ bool SmoothStep::advance(const Motion& from, double limit) {
       if (limit - end_time_ <= 1e-14 * limit || h >= limit - start_) end_time_ = limit;
       return true;
     }
-    ++rejected_;
     next_ = h * std::min(factor, 0.9);
   }
   return false;

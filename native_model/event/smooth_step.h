@@ -50,7 +50,6 @@ class SmoothStep {
   // Extremes over the stages of the step.
   const Margins& lowest(std::size_t contact) const { return lowest_[contact]; }
   double largest_normal(std::size_t contact) const { return largest_normal_[contact]; }  // N
-  std::int64_t rejected() const { return rejected_; }
 
   // The solution within the step, theta in [0, 1].
   void dense(double theta, double* y);
@@ -91,7 +90,6 @@ class SmoothStep {
   bool dense_ready_ = false;
   std::vector<Margins> lowest_;  // one per contact
   std::vector<double> largest_normal_;
-  std::int64_t rejected_ = 0;
   double displacement_ = 0.0, speed_ = 0.0, spin_ = 0.0;  // largest so far
 };
 

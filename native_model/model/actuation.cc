@@ -4,7 +4,6 @@
 #include <cassert>
 
 #include "native_model/bearing/actuator.h"
-#include "native_model/bearing/coil.h"
 #include "native_model/control/control_loop.h"
 #include "native_model/model/dynamics.h"
 #include "native_model/model/sampled_feedback.h"
@@ -120,15 +119,9 @@ void add_actuators(const Model& m, const double* q, const double* v,
     f[at.ring] += force.x();
     f[at.ring + 1] += force.y();
     if (at.coil == kAbsent) continue;
-    for (int i = 0; i < 2; ++i)
-      f[at.coil + i] += coil_load(*at.magnets, command[i], v[at.coil + i]);
+    // The damping of the coil's coordinate is its term -i.
+    for (int i = 0; i < 2; ++i) f[at.coil + i] += at.magnets->coil.load(command[i], v[at.coil + i]);
   }
-}
-
-double coil_load(const MagneticActuator& magnets, double asked, double current) {
-  return Coil{magnets.coil_lag, magnets.current_rate_limit, magnets.voltage_limit,
-              magnets.inductance, magnets.resistance}
-      .load(asked, current);
 }
 
 SampledCommand::SampledCommand(const Model& model, std::size_t bearing)

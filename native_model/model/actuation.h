@@ -57,10 +57,6 @@ inline void smooth_force(const Model& model, double t, const double* q, const do
 void add_actuators(const Model& model, const double* q, const double* v,
                    std::span<const Eigen::Vector2d> commands, double* f);
 
-// A, load on the coordinate of a coil without its damping term -i. It is the requested current,
-// limited so that the rate (load - i) / lag stays within the rate limit and the voltage limit.
-double coil_load(const MagneticActuator& magnets, double asked, double current);
-
 // N, the force with its component along each axis of the actuator limited.
 Eigen::Vector2d limited(const Eigen::Vector2d& force, double limit);
 

@@ -14,14 +14,21 @@ namespace rotorub::equations {
 // f += all loads that are linear in (q, v) at a spin speed omega (rad/s), except the diagonal terms
 // and the gyroscopic moments: rotating damping, dashpots, films, springs and the laws of magnetic
 // bearings. (A law is linear within its limit; films with an offset have a constant part.) working:
-// for each feedback the share of the time in which it works, in [0, 1].
+// for each feedback the share of the time in which it works, in [0, 1]. springs: false leaves them
+// out, for the power of the forces that the stored energy does not contain.
 inline void add_linear_loads(const Model& m, double omega, const double* working, const double* q,
-                             const double* v, double* f) {
+                             const double* v, double* f, bool springs = true) {
   add_rotating_damping(m, q, v, omega, f);
   add_dampers(m, v, f);
   add_films(m, omega, q, v, f);
-  add_springs(m, q, f);
+  if (springs) add_springs(m, q, f);
   add_feedbacks(m, working, q, v, f);
+}
+
+// False if add_linear_loads() adds nothing.
+inline bool has_linear_loads(const Model& m) {
+  return !(m.internal_xx.absent() && m.internal_yy.absent() && m.dampers.empty() &&
+           m.films.empty() && m.springs.empty() && m.feedbacks.empty());
 }
 
 // The shares at an instant t (s): 1 if the feedback works, otherwise 0.

@@ -15,13 +15,13 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "native_model/bearing/actuator.h"
+#include "native_model/bearing/coil.h"
 #include "native_model/bearing/drive.h"
 #include "native_model/bearing/magnetic_feedback.h"
 #include "native_model/bearing/ring_support.h"
@@ -148,11 +148,7 @@ inline constexpr std::size_t kMaxPorts = 2 * scene::kMaxMagneticBearings;
 struct MagneticActuator {
   std::shared_ptr<const ForceLaw> law;  // of one axis; both are equal
   double current_limit = 0.0;           // A, > 0
-  double coil_lag = 0.0;                // s, >= 0
-  double current_rate_limit = 0.0;      // A/s, > 0; infinity: no limit
-  // V, > 0 (infinity: no limit, the other two are then unused); H, > 0; Ohm, >= 0.
-  double voltage_limit = std::numeric_limits<double>::infinity(), inductance = 1.0,
-         resistance = 0.0;
+  Coil coil;                            // of one axis
 };
 
 // The support of a ring beyond the diagonals of stiffness and damping. With a housing, the
@@ -197,7 +193,7 @@ struct AuxiliaryBearing {
   Eigen::Matrix3d admittance = Eigen::Matrix3d::Zero();
 
   // True if the currents of magnets lag behind their commands. In MuJoCo they are activations.
-  bool lags() const { return magnets && magnets->coil_lag > 0.0; }
+  bool lags() const { return magnets && magnets->coil.lag > 0.0; }
   bool moves() const { return ring != kAbsent; }
   bool turns() const { return ring_angle != kAbsent; }
 };

@@ -28,11 +28,9 @@ void fill_actuator(const scene::Scene& scene, std::size_t k, Model& model) {
     most = std::min(-a.table_current.front(), a.table_current.back());
   }
   magnets.current_limit = a.current_limit > 0.0 ? a.current_limit : most;
-  magnets.coil_lag = a.coil_lag;
-  magnets.current_rate_limit = a.current_rate_limit;
-  magnets.voltage_limit = a.voltage_limit;
-  if (a.inductance > 0.0) magnets.inductance = a.inductance;
-  magnets.resistance = a.resistance;
+  // Without a voltage limit any inductance will do.
+  magnets.coil = {a.coil_lag, a.current_rate_limit, a.voltage_limit,
+                  a.inductance > 0.0 ? a.inductance : 1.0, a.resistance};
 }
 
 void fill_control(const scene::Scene& scene, std::size_t k, Model& model) {
@@ -56,7 +54,7 @@ void fill_control(const scene::Scene& scene, std::size_t k, Model& model) {
                           mobility(to.shape.y, model.layout.y())};
   if (to.magnets) {
     plant.current_limit = to.magnets->current_limit;
-    plant.coil_lag = to.magnets->coil_lag;
+    plant.coil_lag = to.magnets->coil.lag;
   } else {
     plant.force_limit = to.force_limit;
   }

@@ -73,7 +73,7 @@ std::vector<NamedStart> starts_near_rubs(const scene::Scene& scene, const Model&
     if (state) starts.push_back({name, std::move(*state)});
     return state.has_value();
   };
-  const bool single = scene.auxiliary.size() == 1 && scene.first().contact;
+  const bool single = scene.auxiliary.size() == 1 && scene.has_contact();
   if (single) add("synchronous rub", state_on_closed_form(scene, scene::StartingRub::kSynchronous));
   if (!single || !add("whip", state_on_closed_form(scene, scene::StartingRub::kWhip))) {
     add("backward whirl", periodic::backward_whirl(m));
@@ -84,7 +84,7 @@ std::vector<NamedStart> starts_near_rubs(const scene::Scene& scene, const Model&
 State state_on_periodic_rub(const scene::Scene& scene, const scene::SceneError& no_form) {
   constexpr std::int64_t kMostStretches = 500'000;  // of all starts together
   const Model m = periodic::with_whole_samples(model_without_start(scene));
-  if (!m.first().contact) throw no_form;
+  if (!m.has_contact()) throw no_form;
   const std::string refusal = periodic::forcing_of(m).refusal;
   if (!refusal.empty()) refuse_with(no_form, refusal);
   const std::vector<NamedStart> starts = starts_near_rubs(scene, m);

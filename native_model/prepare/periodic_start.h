@@ -8,7 +8,7 @@
 
 #include "native_model/model/model.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
 
 namespace rotorub::rub {
 

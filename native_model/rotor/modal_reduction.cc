@@ -162,7 +162,7 @@ ModeScale mode_scale(const std::function<double(double)>& value,
 }
 
 std::optional<double> contact_station(const scene::Scene& scene) {
-  if (!scene.first().contact) return std::nullopt;
+  if (!scene.has_contact()) return std::nullopt;
   return scene.first().contact->station;
 }
 

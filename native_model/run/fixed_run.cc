@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,7 +46,7 @@ class FixedRun {
         contacts_(model.auxiliary.size()),
         step_(step),
         end_(run.end),
-        steps_(static_cast<std::int64_t>(std::ceil(end_ / step_ - 1e-9))),
+        steps_(scene::step_count(end_, step_)),
         recorder_(model, options.output_times.value_or(output_times(run)), kWindowSteps * run.step),
         stepper_(make_stepper(integrator, model, step)),
         commands_(model, *stepper_, step),
@@ -60,7 +59,6 @@ class FixedRun {
       if (model.auxiliary[i].is_compliant()) episodes_[i].emplace(recorder_, static_cast<int>(i));
     }
     if (!message_.empty()) status_ = Status::kStepTooLarge;
-    if (contacts_ > 1) recorder_.statistics().contacts.resize(contacts_);
   }
 
   Trajectory take_all_steps() {
@@ -68,12 +66,7 @@ class FixedRun {
     for (std::optional<ContactEpisodes>& episode : episodes_) {
       if (episode) episode->finish();
     }
-    Trajectory out = recorder_.finish(good() ? end_ : time(taken));
-    out.step = step_;
-    out.steps = taken;
-    out.status = status_;
-    out.message = message_;
-    return out;
+    return recorder_.finish({good() ? end_ : time(taken), taken, status_, message_});
   }
 
  private:
@@ -209,7 +202,7 @@ class FixedRun {
       f.normal_impulse += did.x();
       f.friction_impulse += did.y();
       f.friction_work += work;
-      if (contacts_ > 1) recorder_.count_at(i, begin, f.h, did.x(), did.y(), work);
+      recorder_.count_at(i, begin, f.h, did.x(), did.y(), work);
     }
     recorder_.count(f, begin);
   }
@@ -225,7 +218,6 @@ class FixedRun {
       f.normal_impulse += hit.normal_impulse;
       f.friction_impulse += hit.friction_impulse;
       f.friction_work += work;
-      if (contacts_ == 1) continue;
       recorder_.count_at(static_cast<std::size_t>(hit.contact), hit.t, lasts, hit.normal_impulse,
                          hit.friction_impulse, work);
     }
@@ -242,12 +234,7 @@ class FixedRun {
   // state.
   void advance(const StateAt& now, const FixedStep& done, double kick, bool impact) {
     note_contacts(now.t, done, kick, true);
-    recorder_.advance(snapshot(now, done, kick, recorder_.row_due(now.t)), points_[0], impact);
-    for (std::size_t i = 0; contacts_ > 1 && i < contacts_; ++i) {
-      recorder_.watch_gap(i, points_[i]);
-    }
-    const bool inside = contacts_ == 1 && model_.has_contact() && recorder_.penetration() == 0.0;
-    if (inside && !model_.auxiliary[0].magnets) return;
+    recorder_.advance(snapshot(now, done, kick, recorder_.row_due(now.t)), points_, impact);
     if (const auto why = out_of_range(model_, now.q)) fail(Status::kOutOfRange, now.t, *why);
   }
   // Notes events of rigid contacts and the episodes of compliant ones, which start after the run

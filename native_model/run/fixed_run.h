@@ -6,8 +6,8 @@
 
 namespace rotorub {
 
-// integrator: kEuler or kVerlet; step: s, > 0. Leaves the names and the time of computation of the
-// trajectory to run_native.
+// integrator: kEuler or kVerlet; step: s, > 0. Leaves the names, the step and the time of
+// computation of the trajectory to run_native.
 Trajectory run_fixed(scene::Integrator integrator, const Model& model, const scene::Run& run,
                      double step, const NativeOptions& options);
 

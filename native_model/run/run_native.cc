@@ -28,13 +28,8 @@ Trajectory run_event(const Model& model, const scene::Run& run, const NativeOpti
     settings.force_bin = std::max(options.step.value_or(run.step), run.end / kMostBins);
   }
   EventIntegrator integrator(model, settings);
-  const EventIntegrator::Result result =
-      integrator.run(initial_state(model), run.end, recorder, options.progress, options.interrupt);
-  Trajectory out = recorder.finish(result.end);
-  out.steps = result.steps;
-  out.status = result.status;
-  out.message = result.message;
-  return out;
+  return recorder.finish(
+      integrator.run(initial_state(model), run.end, recorder, options.progress, options.interrupt));
 }
 
 }  // namespace
@@ -60,6 +55,7 @@ Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {
   out.engine = "native";
   out.integrator = kIntegratorNames[static_cast<int>(integrator)];
   out.contact_model = model.is_compliant() ? "compliant" : "rigid";
+  out.step = fixed ? step : 0.0;
   out.wall_s = wall.count();
   return out;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "native_model/contact/impact.h"
 #include "native_model/control/magnetic_library.h"
@@ -73,7 +74,7 @@ Model StepwiseRun::model_with_inputs(const scene::Scene& scene) {
     at.loop.reset();
     auto record = std::make_shared<CommandRecord>();
     at.recorded = record;
-    commands_.emplace_back(k, std::move(record));
+    driven_.commands.push_back({k, std::move(record)});
     const std::string asked = column_of_contact(k, "command");
     if (!at.magnets) {
       add_vector(asked, "N", "commanded force of the actuator on the ring, in the fixed frame,");
@@ -88,12 +89,12 @@ Model StepwiseRun::model_with_inputs(const scene::Scene& scene) {
     if (!sampler.library) continue;
     auto currents = std::make_shared<std::vector<double>>(2 * sampler.bearings.size());
     sampler.library = std::make_shared<const MagneticLibrary>(currents);
-    currents_.push_back(std::move(currents));
+    driven_.currents.push_back(std::move(currents));
     for (const std::size_t k : sampler.bearings)
       add_vector(of_bearing(model.feedbacks[k], "command"), "A",
                  "control current of the magnetic bearing, commanded for its next sample,");
   }
-  first_load_ = model.forces.size();
+  driven_.first_load = model.forces.size();
   for (std::size_t k = 0; k < model.auxiliary.size(); ++k) {
     model.forces.push_back({scene::ForceKind::kConstant,
                             0.0,
@@ -147,7 +148,7 @@ void StepwiseRun::apply_inputs() {
     from += 2;
     return pair;
   };
-  for (auto& [k, record] : commands_) {
+  for (const auto& [k, record] : driven_.commands) {
     const AuxiliaryBearing& at = model_.auxiliary[k];
     const Eigen::Vector2d asked = next();
     *record = {};
@@ -156,11 +157,12 @@ void StepwiseRun::apply_inputs() {
                      : std::isinf(at.force_limit) ? asked
                                                   : limited(asked, at.force_limit));
   }
-  for (const auto& currents : currents_) {
+  for (const auto& currents : driven_.currents) {
     std::copy_n(from, currents->size(), currents->begin());
     from += currents->size();
   }
-  for (std::size_t k = first_load_; k < model_.forces.size(); ++k) model_.forces[k].vector = next();
+  for (std::size_t k = driven_.first_load; k < model_.forces.size(); ++k)
+    model_.forces[k].vector = next();
   now_.in_effect = now_.given;
   now_.new_inputs = false;
 }
@@ -177,7 +179,7 @@ void StepwiseRun::begin(double end) {
 
 // Counts the impacts since the last call, which emptied the recorder.
 void StepwiseRun::count_impacts() {
-  const std::vector<Impact> impacts = recorder_.finish(now_.t).impacts;
+  const std::vector<Impact> impacts = recorder_.finish({now_.t}).impacts;
   now_.impacts += static_cast<double>(std::ranges::count_if(impacts, counts));
 }
 

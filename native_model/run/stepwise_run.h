@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "native_model/event/driver.h"
@@ -69,12 +68,19 @@ class StepwiseRun {
   bool good() const { return status() == Status::kOk; }
 
   std::vector<Port> inputs_, outputs_;
-  // Targets of the inputs, each of which takes pairs of consecutive numbers; the commands have the
-  // index of their ring.
-  std::vector<std::pair<std::size_t, std::shared_ptr<CommandRecord>>> commands_;
-  std::vector<std::shared_ptr<std::vector<double>>> currents_;
-  std::size_t first_load_ = 0;  // index among the forces
-  Model model_;                 // built with its inputs before others refer to it
+  struct RingCommand {
+    std::size_t ring;  // index of the auxiliary bearing
+    std::shared_ptr<CommandRecord> record;
+  };
+  // The parts of the model that the inputs drive, in the order of the inputs. Each takes pairs of
+  // consecutive numbers.
+  struct Driven {
+    std::vector<RingCommand> commands;
+    std::vector<std::shared_ptr<std::vector<double>>> currents;  // A, of each sampled control
+    std::size_t first_load = 0;                                  // index among the forces
+  };
+  Driven driven_;
+  Model model_;  // built with its inputs before others refer to it
   Recorder recorder_;
   EventIntegrator integrator_;
   std::vector<Column> row_;

@@ -1,6 +1,8 @@
 // [run] of a scene (scene.h).
 #pragma once
 
+#include <cmath>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -18,5 +20,11 @@ struct Run {                                   // duration, resolution and outpu
   std::vector<double> output_times;            // s, in [0, end], ascending after reading
   double series_step() const { return output_step.value_or(end / 1000.0); }
 };
+
+// Number of steps of length `step` (s) that reach `end` (s); a remainder of less than 1e-9 steps is
+// round-off.
+inline std::int64_t step_count(double end, double step) {
+  return static_cast<std::int64_t>(std::ceil(end / step - 1e-9));
+}
 
 }  // namespace rotorub::scene

@@ -55,6 +55,8 @@ struct Scene {
   std::vector<AuxiliaryBearing> auxiliary = std::vector<AuxiliaryBearing>(1);
   AuxiliaryBearing& first() { return auxiliary.front(); }
   const AuxiliaryBearing& first() const { return auxiliary.front(); }
+  // With several auxiliary bearings each has a contact.
+  bool has_contact() const { return auxiliary.front().contact.has_value(); }
   // The name of a bearing; its number, from 1, if it has none.
   std::string name_of(std::size_t bearing) const {
     const std::string& own = auxiliary[bearing].name;

@@ -37,12 +37,6 @@ bool beyond_matrix(const Model& m) {
          l.integrals > 0 || l.coils > 0 || !m.supports.empty();
 }
 
-bool has_parts(const Model& m) {
-  return !(m.internal_xx.absent() && m.internal_yy.absent() && m.gyroscopic.absent() &&
-           m.dampers.empty() && m.films.empty() && m.springs.empty() && m.feedbacks.empty() &&
-           m.supports.empty());
-}
-
 bool has_magnets(const Model& m) {
   return std::ranges::any_of(m.auxiliary,
                              [](const AuxiliaryBearing& at) { return at.magnets.has_value(); });
@@ -73,7 +67,7 @@ void add_command_jump(const AuxiliaryBearing& at, const CommandJump& jump,
   if ((asked - mean).norm() > kRoundOff * (jump.after - jump.before).norm()) return;
   for (int i = 0; i < 2; ++i) {
     const auto load = [&](double command) {
-      return coil_load(*at.magnets, command, v[at.coil + i]);
+      return at.magnets->coil.load(command, v[at.coil + i]);
     };
     f[at.coil + i] +=
         share_before * load(jump.before[i]) + share_after * load(jump.after[i]) - load(asked[i]);
@@ -97,7 +91,7 @@ LoadKick::LoadKick(const Model& m, double h)
       loads_(m, h),
       needs_iteration_(beyond_matrix(m)),
       commanded_(m.auxiliary[0].moves() && m.auxiliary[0].commanded()),
-      parts_(has_parts(m)),
+      parts_(eq::has_linear_loads(m) || !m.gyroscopic.absent() || !m.supports.empty()),
       rings_by_actuators_(has_magnets(m) || m.auxiliary.size() > 1),
       commands_move_rings_alone_(m.supports.empty() && !has_magnets(m)),
       samples_(!m.samplers.empty()),
@@ -162,11 +156,7 @@ ROTORUB_INLINE void LoadKick::force(const StepState& state, const double* v, dou
 void LoadKick::add_parts(const StepState& state, const double* v, double omega, bool all,
                          double* f) const {
   const double* q = state.q_k.data();
-  eq::add_rotating_damping(m_, q, v, omega, f);
-  eq::add_dampers(m_, v, f);
-  eq::add_films(m_, omega, q, v, f);
-  if (all) eq::add_springs(m_, q, f);
-  eq::add_feedbacks(m_, working_.data(), q, v, f);
+  eq::add_linear_loads(m_, omega, working_.data(), q, v, f, /*springs=*/all);
   if (!m_.supports.empty()) {
     add_ring_supports(m_, q, v, f);
     step_bristles(m_, v, state.v_start.data(), kick_ * state.h, f);

@@ -59,28 +59,35 @@ Recorder::Recorder(const Model& model, std::vector<double> times, double window)
       switches_unbalance_(
           model.coupled_mass() &&
           std::ranges::any_of(model.unbalances, [](const DiscUnbalance& u) { return u.on > 0.0; })),
+      points_(model.auxiliary.size()),
       least_gaps_(model.auxiliary.size(), std::numeric_limits<double>::infinity()),
       window_(window) {
   assert(std::is_sorted(times_.begin(), times_.end()));
   for (Column& column : columns_) column.values.reserve(times_.size());
   const auto n = static_cast<std::size_t>(model.nq());
   for (auto* v : {&last_q_, &last_v_, &q_, &v_}) v->assign(n, 0.0);
+  statistics_.contacts.resize(model.auxiliary.size());
 }
 
 double Recorder::next_time() const {
   return next_ < times_.size() ? times_[next_] : std::numeric_limits<double>::infinity();
 }
 
-void Recorder::keep(const Snapshot& now, const ContactPoint& point) {
+std::span<const ContactPoint> Recorder::points_of(const Snapshot& now) {
+  for (std::size_t k = 0; k < points_.size(); ++k)
+    points_[k] = contact_point(*model_, now.q, now.v, k);
+  return points_;
+}
+
+void Recorder::keep(const Snapshot& now, std::span<const ContactPoint> points) {
   last_t_ = now.t;
   std::copy_n(now.q, last_q_.size(), last_q_.begin());
   std::copy_n(now.v, last_v_.size(), last_v_.begin());
-  const bool several = !statistics_.contacts.empty();
-  for (std::size_t k = 0; k < model_->auxiliary.size(); ++k) {
-    ContactStatistics& own = several ? statistics_.contacts[k] : statistics_;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    ContactStatistics& own = statistics_.contacts[k];
     // A touch that lasts is counted only at its end.
     if (own.first_touch < 0.0 && now.contacts[k].mode == Mode::kFree) continue;
-    own.passes.follow(k == 0 ? point.d : separation(*model_, now.q, k), now.t);
+    own.passes.follow(points[k].d, now.t);
   }
 }
 
@@ -95,10 +102,10 @@ void Recorder::meet_energy(double now) {
 }
 
 void Recorder::begin(const Snapshot& start) {
-  const ContactPoint point = contact_point(*model_, start.q, start.v);
-  keep(start, point);
+  const std::span<const ContactPoint> points = points_of(start);
+  keep(start, points);
   meet_gaps(start.q);
-  last_slip_ = point.slip;
+  last_slip_ = points.front().slip;
   keyphasor_.begin(spin_angle(*model_, start.t, start.q));
   look_at_energy();
   statistics_.energy_start = statistics_.energy_end;
@@ -132,8 +139,9 @@ void Recorder::count_at(std::size_t contact, double begin, double h, double norm
   own.add(normal_impulse, friction_impulse, friction_work);
 }
 
-void Recorder::count_further(double begin, double h, double normal_impulse, double friction_impulse,
-                             double friction_work, double before) {
+void Recorder::count_further(std::size_t contact, double begin, double h, double normal_impulse,
+                             double friction_impulse, double friction_work, double before) {
+  count_at(contact, begin, h, normal_impulse, friction_impulse, friction_work);
   Statistics& s = statistics_;
   s.touch(begin);
   if (before == 0.0) s.contact_time += h;
@@ -144,14 +152,10 @@ void Recorder::count_further(double begin, double h, double normal_impulse, doub
   statistics_.add(normal_impulse, friction_impulse, friction_work);
 }
 
-void Recorder::watch_gap(std::size_t contact, const ContactPoint& point) {
-  statistics_.contacts[contact].meet_gap(point.gap);
-  if (contact > 0) count_gap(point);
-}
-
-void Recorder::count_gap(const ContactPoint& point) {
+void Recorder::count_gap(std::size_t contact, const ContactPoint& point) {
   Statistics& s = statistics_;
   s.meet_gap(point.gap);
+  s.contacts[contact].meet_gap(point.gap);
   const double penetration = std::max(0.0, -point.gap);
   s.penetration_square += penetration * penetration * last_step_;
   if (s.first_touch >= 0.0) s.gap_rate_square += point.gap_rate * point.gap_rate * last_step_;
@@ -176,40 +180,43 @@ void Recorder::count(const StepFigures& f, double begin) {
   statistics_.external_work += f.external_work;
 }
 
-void Recorder::move_to(const Snapshot& now, const ContactPoint& point, bool impact) {
+void Recorder::move_to(const Snapshot& now, std::span<const ContactPoint> points, bool impact) {
   last_step_ = now.t - last_t_;
   rows_until(now, impact);
   passes_until(now, impact);
   if (switches_unbalance_)
     statistics_.external_work += switching_work(*model_, last_t_, now.t, now.q, now.v);
-  if (model_->has_contact()) {
-    penetration_ = std::max(0.0, -point.gap);
-    count_gap(point);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (model_->auxiliary[k].contact) count_gap(k, points[k]);
   }
-  keep(now, point);
+  keep(now, points);
   lasted_ = 0.0;
 }
 
-void Recorder::advance(const Snapshot& now, const ContactPoint& point, bool impact) {
+void Recorder::advance(const Snapshot& now, std::span<const ContactPoint> points, bool impact) {
   const std::size_t row = next_;
-  move_to(now, point, impact);
+  move_to(now, points, impact);
   constexpr std::int64_t kLook = 256;  // steps
   if (++steps_ % kLook == 0 || row != next_) look_at_energy();
 }
 
 void Recorder::step(const Snapshot& now, double normal_impulse, double friction_impulse,
                     const Impact* impact, const StepBalance& balance) {
-  const ContactPoint point = contact_point(*model_, now.q, now.v);
+  const std::span<const ContactPoint> points = points_of(now);
+  const ContactPoint& point = points.front();
   const double slips = impact ? impact->slip_before + impact->slip_after : last_slip_ + point.slip;
   StepFigures figures;
   figures.h = now.t - last_t_;
   figures.normal_impulse = normal_impulse;
   figures.friction_impulse = friction_impulse;
-  if (normal_impulse > 0.0) figures.friction_work = 0.5 * friction_impulse * slips;
+  if (normal_impulse > 0.0) {
+    figures.friction_work = 0.5 * friction_impulse * slips;
+    count_at(0, last_t_, figures.h, normal_impulse, friction_impulse, figures.friction_work);
+  }
   figures.contact_work = balance.contact_work;
   figures.impact = impact != nullptr;
   count(figures, last_t_);
-  move_to(now, point, figures.impact);
+  move_to(now, points, figures.impact);
   statistics_.external_work += balance.external_work;
   meet_energy(balance.energy);
   last_slip_ = point.slip;
@@ -286,7 +293,7 @@ void Recorder::count_episode(double begin, double lasted) {
   if (!several && !lasts) statistics_.impact_time += lasted;
 }
 
-Trajectory Recorder::finish(double end) {
+Trajectory Recorder::finish(const RunEnd& end) {
   if (steps_ > 0) look_at_energy();
   statistics_.energy_scale = std::max(statistics_.energy_scale, resting_);
   statistics_.window_impulse = window_.largest();
@@ -295,16 +302,16 @@ Trajectory Recorder::finish(double end) {
     own.least_gap = std::min(own.least_gap, least_gaps_[k]);
     if (own.first_touch >= 0.0) own.least_gap = std::min(own.least_gap, 0.0);
   }
-  if (!statistics_.contacts.empty()) {
-    if (soft_)
-      statistics_.impact_time = std::max(0.0, statistics_.contact_time - length_of_union(lasting_));
-    statistics_.passes =
-        std::ranges::max(statistics_.contacts, {}, [](const ContactStatistics& own) {
-          return own.passes.forward() + own.passes.backward();
-        }).passes;
-  }
+  if (soft_)
+    statistics_.impact_time = std::max(0.0, statistics_.contact_time - length_of_union(lasting_));
+  statistics_.passes = std::ranges::max(statistics_.contacts, {}, [](const ContactStatistics& own) {
+                         return own.passes.forward() + own.passes.backward();
+                       }).passes;
   Trajectory t;
-  t.end = end;
+  t.end = end.end;
+  t.steps = end.steps;
+  t.status = end.status;
+  t.message = end.message;
   t.contacts = model_->auxiliary.size();
   t.series = std::move(columns_);
   // With several contacts, an entry may arrive after later ones of other contacts, since a soft

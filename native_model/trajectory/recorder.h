@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "native_model/contact/kinematics.h"
@@ -112,23 +113,20 @@ class Recorder {
   // `begin` (s), advance() records the next snapshot. The energy is evaluated only now and then,
   // because it costs a model evaluation.
   void count(const StepFigures& figures, double begin);
-  // point: the first contact at `now`, used only if there is one. impact: whether velocities jump
-  // within the step.
-  void advance(const Snapshot& now, const ContactPoint& point, bool impact);
+  // points: the contacts at `now`, of which only those of auxiliary bearings with a contact are
+  // used. impact: whether velocities jump within the step.
+  void advance(const Snapshot& now, std::span<const ContactPoint> points, bool impact);
   // The actuator's part of a snapshot is read only if a row is due by its time.
   bool row_due(double t) const { return next_time() <= t * (1.0 + 1e-9); }
-  double penetration() const { return penetration_; }  // m, of the first contact, >= 0
   void add(const Impact& impact);
   void add(const Event& event);
-  // Adds the effects of one of several contacts over h (s) from `begin` (s) on, N s and J.
+  // Adds to the figures of a contact its effects over h (s) from `begin` (s) on, N s and J.
   void count_at(std::size_t contact, double begin, double h, double normal_impulse,
                 double friction_impulse, double friction_work);
-  // Adds the gap and its rate of one of several contacts at the snapshot that advance() recorded.
-  void watch_gap(std::size_t contact, const ContactPoint& point);
-  // Adds a further contact to the totals of a step that step() counts. before: total normal impulse
-  // of the contacts before it, N s.
-  void count_further(double begin, double h, double normal_impulse, double friction_impulse,
-                     double friction_work, double before);
+  // Adds a contact after the first to a step that step() counts. before: total normal impulse of
+  // the contacts before it, N s.
+  void count_further(std::size_t contact, double begin, double h, double normal_impulse,
+                     double friction_impulse, double friction_work, double before);
   // Counts an episode of a soft contact that starts at `begin` and lasts `lasted` s: an impact if
   // it fits within the window, else lasting contact. An impact during lasting contact of another
   // contact adds no time of its own.
@@ -143,18 +141,20 @@ class Recorder {
   void watch_impulse(double t, double impulse) { window_.add(t, impulse); }
   double window() const { return window_.width(); }
 
-  // Ends the recording at time `end`; the recorder is empty afterwards.
-  Trajectory finish(double end);
+  // Ends the recording; the recorder is empty afterwards. Leaves the names, the step and the time
+  // of computation of the trajectory to the caller.
+  Trajectory finish(const RunEnd& end);
 
  private:
-  // point: of the first contact
-  void move_to(const Snapshot& now, const ContactPoint& point, bool impact);
-  void keep(const Snapshot& now, const ContactPoint& point);
+  void move_to(const Snapshot& now, std::span<const ContactPoint> points, bool impact);
+  void keep(const Snapshot& now, std::span<const ContactPoint> points);
+  // The contacts at a snapshot; valid until the next call.
+  std::span<const ContactPoint> points_of(const Snapshot& now);
   void look_at_energy();
   void meet_energy(double now);
   void count_contact(double normal_impulse, double friction_impulse, double h, double begin,
                      bool impact);
-  void count_gap(const ContactPoint& point);
+  void count_gap(std::size_t contact, const ContactPoint& point);
   void meet_gaps(const double* q);
   void rows_until(const Snapshot& now, bool impact);
   void interpolate(const Snapshot& now, double share, bool impact);  // writes q_, v_
@@ -165,19 +165,19 @@ class Recorder {
   std::size_t next_ = 0;
   double last_t_ = 0.0;  // s, of the last snapshot
   std::vector<double> last_q_, last_v_, q_, v_;
-  double last_step_ = 0.0;    // s, from the snapshot before to the last one
-  double penetration_ = 0.0;  // m, of the first contact
+  double last_step_ = 0.0;  // s, from the snapshot before to the last one
   // J: normal force times clearance, summed over the contacts that are closed at the last row. A
   // rotor at rest has no energy against which round-off could be compared.
   double resting_ = 0.0;
   std::int64_t steps_ = 0;
   double lasted_ = 0.0;     // s of lasting contact counted since the last snapshot
-  double last_slip_ = 0.0;  // m/s
+  double last_slip_ = 0.0;  // m/s, of the first contact
   std::vector<Column> columns_;
-  bool switches_unbalance_ = false;  // an unbalance appears during the run, see switching_work()
-  std::vector<double> least_gaps_;   // m, at the start and at the rows, of each contact
-  bool soft_ = false;                // whether several soft contacts exist and have touched
-  std::vector<Span> lasting_;        // episodes of soft contacts that count as lasting contact
+  bool switches_unbalance_ = false;   // an unbalance appears during the run, see switching_work()
+  std::vector<ContactPoint> points_;  // of points_of()
+  std::vector<double> least_gaps_;    // m, at the start and at the rows, of each contact
+  bool soft_ = false;                 // whether several soft contacts exist and have touched
+  std::vector<Span> lasting_;         // episodes of soft contacts that count as lasting contact
   std::vector<Impact> impacts_;
   std::vector<Event> events_;
   Statistics statistics_;

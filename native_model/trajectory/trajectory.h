@@ -37,7 +37,7 @@ struct Event {
 
 const char* to_string(Status status);  // "ok", "diverged", ..., as in summary.json
 
-// Statistics of one of several contacts.
+// Statistics of one contact.
 struct ContactStatistics {
   double first_touch = -1.0;      // s; -1: never touched
   double contact_time = 0.0;      // s with normal force > 0; an impact of a fixed step: one step
@@ -47,7 +47,8 @@ struct ContactStatistics {
   // m, over the rows and the ends of steps; infinity: no contact.
   double least_gap = std::numeric_limits<double>::infinity();
   double max_penetration = 0.0;  // m
-  // N, largest impulse of a step / step, or largest force of a compliant contact.
+  // N, largest impulse of a step / step, or largest force of a compliant contact. `event`: of one
+  // contact only if it is compliant.
   double peak_force = 0.0;
   FullPasses passes;  // of the rotor around the ring, from the first touch on
 
@@ -83,12 +84,21 @@ struct Statistics : ContactStatistics {
   double contact_work = 0.0;        // J
   // J, largest energy reached, or N delta_0 of contacts closed at the last row.
   double energy_scale = 0.0;
-  std::vector<ContactStatistics> contacts;  // one per contact if there are several, else empty
-  double energy_residual() const;           // |E_end - E_start - works| / scale, 0 for a scale of 0
+  // One for each auxiliary bearing.
+  std::vector<ContactStatistics> contacts = std::vector<ContactStatistics>(1);
+  double energy_residual() const;  // |E_end - E_start - works| / scale, 0 for a scale of 0
 };
 
 class MissingColumn : public std::runtime_error {  // what() names the column
   using std::runtime_error::runtime_error;
+};
+
+// How a run ended.
+struct RunEnd {
+  double end = 0.0;        // s, time reached
+  std::int64_t steps = 0;  // taken; of `event`: accepted
+  Status status = Status::kOk;
+  std::string message{};
 };
 
 // The result of a run; all columns of the series have one length.

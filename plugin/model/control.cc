@@ -163,7 +163,7 @@ double magnet_answer(ActuatorQuestion asked, const Config& config, const mjModel
     case ActuatorQuestion::kRate:
       break;
   }
-  return (coil_load(magnets, asked_current(m, d, actuator), current) - current) / magnets.coil_lag;
+  return (magnets.coil.load(asked_current(m, d, actuator), current) - current) / magnets.coil.lag;
 }
 
 }  // namespace rotorub::plugin

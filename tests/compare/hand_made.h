@@ -102,6 +102,7 @@ inline Trajectory at_two_contacts(Trajectory first, const Trajectory& second) {
     first.series.push_back({column_of_contact(1, column.name), column.unit, column.values});
   }
   first.contacts = 2;
+  first.statistics.contacts.resize(2);
   return first;
 }
 

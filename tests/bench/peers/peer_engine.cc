@@ -84,7 +84,7 @@ class PeerRecord {
   }
 
   const double* q() const { return q_.data(); }
-  Trajectory finish(double end) {
+  Trajectory finish(const RunEnd& end) {
     if (soft_) episodes_.finish();
     return recorder_.finish(end);
   }
@@ -187,15 +187,13 @@ Trajectory PeerEngine::run(const scene::Scene& given, const RunRequest& request)
   }
 
   const double reached = static_cast<double>(k) * step;
-  Trajectory out = record.finish(status == Status::kOk ? scene.run.end : reached);
+  Trajectory out =
+      record.finish({status == Status::kOk ? scene.run.end : reached, k, status, message});
   out.engine = name_;
   out.integrator = "";
   out.contact_model = name_;
   out.step = step;
-  out.steps = k;
   out.wall_s = wall.count();
-  out.status = status;
-  out.message = message;
   return out;
 }
 

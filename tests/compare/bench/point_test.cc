@@ -163,9 +163,9 @@ TEST(Judgement, AnEarlyEndSaysWhyAndWhen) {
 // A soft contact that has let the rotor go reports `ok`.
 TEST(Judgement, ARotorFarOutsideHasDiverged) {
   Trajectory t = rub({});
-  t.statistics.max_penetration = 9.0 * Whirl{}.clearance;
+  t.statistics.contacts[0].max_penetration = 9.0 * Whirl{}.clearance;
   EXPECT_EQ(judged(t, rub({})).outcome, Outcome::kOk) << "deep, but there";
-  t.statistics.max_penetration = 11.0 * Whirl{}.clearance;
+  t.statistics.contacts[0].max_penetration = 11.0 * Whirl{}.clearance;
   EXPECT_EQ(judged(t, rub({})).outcome, Outcome::kDiverged);
   EXPECT_NE(judged(t, rub({})).reason.find("deep"), std::string::npos);
 }

@@ -14,22 +14,18 @@
 #include "tests/support/native_run.h"
 #include "tests/support/order.h"
 #include "tests/support/refusal.h"
+#include "tests/support/two_catchers.h"
 
 namespace rotorub {
 namespace {
-
-scene::Scene two_catchers(const std::vector<std::string>& overrides = {}) {
-  return scene::read_scene(
-      std::string(ROTORUB_SOURCE_DIR) + "/tests/compare/engine/two_catchers.toml", overrides);
-}
 
 class SeveralInMujoco : public testing::TestWithParam<scene::ContactModel> {};
 
 // The segments are another beam: its frequency differs by 0.02 %, and so do the impacts of the
 // start. The lasting motion agrees.
 TEST_P(SeveralInMujoco, PressOnEachRingAsTheNativeModelDoes) {
-  const Trajectory native = test::run_event(two_catchers());
-  const Trajectory t = test::mujoco_run(two_catchers(), GetParam(), 1e-5);
+  const Trajectory native = test::run_event(test::segments_in_two_catchers());
+  const Trajectory t = test::mujoco_run(test::segments_in_two_catchers(), GetParam(), 1e-5);
   ASSERT_EQ(t.contacts, 2u);
   ASSERT_EQ(t.statistics.contacts.size(), 2u);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -65,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(, SeveralInMujoco,
 // the rub of the other.
 TEST(SeveralContactsInMujoco, FiguresAreThoseOfAllContacts) {
   for (const auto contact : {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb}) {
-    scene::Scene scene = two_catchers();
+    scene::Scene scene = test::segments_in_two_catchers();
     scene.run.output_step = scene.run.step;  // a row each step
     const Trajectory t = test::mujoco_run(scene, contact, scene.run.step);
     const auto &first = t.column("normal_force"), &second = t.column("contact2_normal_force");
@@ -100,7 +96,7 @@ TEST(SeveralContactsInMujoco, FiguresAreThoseOfAllContacts) {
 
 // The modal chain is the native model's rotor, so the impacts of the start are the same.
 TEST(SeveralContactsInMujoco, OnTheModalChainAreTheNativeModels) {
-  const scene::Scene scene = two_catchers({"mujoco.rotor=modal"});
+  const scene::Scene scene = test::segments_in_two_catchers({"mujoco.rotor=modal"});
   const Trajectory native = test::run_event(scene);
   for (const auto contact : {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb}) {
     const Trajectory t = test::mujoco_run(scene, contact, 2e-6);
@@ -122,7 +118,7 @@ TEST(SeveralContactsInMujoco, OnTheModalChainAreTheNativeModels) {
 
 // With `rigid` it is the native step, whatever the number of contacts.
 TEST(SeveralContactsInMujoco, OnTheModalChainRigidStepsAsVerletDoes) {
-  const scene::Scene scene = two_catchers({"mujoco.rotor=modal", "run.end=0.03"});
+  const scene::Scene scene = test::segments_in_two_catchers({"mujoco.rotor=modal", "run.end=0.03"});
   const Trajectory t = test::mujoco_run(scene, scene::ContactModel::kRigid, 4e-6);
   const Trajectory native = test::run_with(scene, scene::Integrator::kVerlet, 4e-6);
   EXPECT_LT(test::rotor_error(t, native), 1e-10);
@@ -132,7 +128,7 @@ TEST(SeveralContactsInMujoco, OnTheModalChainRigidStepsAsVerletDoes) {
 
 // In the other order they are the same machine; the plane of the first one is z = 0.
 TEST(SeveralContactsInMujoco, HaveNoOrder) {
-  scene::Scene scene = two_catchers();
+  scene::Scene scene = test::segments_in_two_catchers();
   const Trajectory t = test::mujoco_run(scene);
   const std::string& text = scene.text;
   const std::size_t first = text.find("[[contact]]"), second = text.find("[[contact]]", first + 1);
@@ -148,7 +144,7 @@ TEST(SeveralContactsInMujoco, HaveNoOrder) {
 
 TEST(SeveralContactsInMujoco, NeedPassiveRingsAndSegmentsForACone) {
   const auto refusal = [](const std::vector<std::string>& overrides) {
-    const auto refused = test::refusals([&] { mjcf(two_catchers(overrides)); });
+    const auto refused = test::refusals([&] { mjcf(test::segments_in_two_catchers(overrides)); });
     return refused.empty() ? "taken" : to_string(refused.front());
   };
   EXPECT_EQ(refusal({}), "taken");

@@ -61,12 +61,11 @@ TEST(Metrics, AreTakenFromFirstTouch) {
 
 TEST(DeepestPenetration, IsThatOfTheContactItIsDeepestFor) {
   Statistics s;
-  s.max_penetration = 2e-6;
+  s.contacts[0].max_penetration = 2e-6;
   EXPECT_DOUBLE_EQ(deepest_penetration(s, {kFacts}).share, 2e-6 / kWhirl.clearance);
   ContactFacts narrow = kFacts;
   narrow.clearance = 0.1 * kWhirl.clearance;
   s.contacts.resize(2);
-  s.contacts[0].max_penetration = 2e-6;
   s.contacts[1].max_penetration = 1e-6;
   const DeepestPenetration deepest = deepest_penetration(s, {kFacts, narrow});
   EXPECT_EQ(deepest.contact, 1U);

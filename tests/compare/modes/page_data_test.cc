@@ -20,14 +20,6 @@ constexpr double kEqual = 1e-9;
 constexpr double kRange = 500.0;  // rad/s
 constexpr int kSpeeds = 26;
 
-scene::Scene friswell_scene() {
-  scene::Scene s;
-  s.name = "friswell";
-  s.rotor.speed = 100.0;
-  s.rotor.geometry = oracle::friswell_rotor();
-  return s;
-}
-
 scene::Scene jeffcott() {
   scene::Scene s;
   s.name = "jeffcott";
@@ -53,7 +45,7 @@ Campbell campbell_of_test(const scene::Scene& s) {
   return {std::move(analysis), kRange, std::move(branches)};
 }
 TEST(RotorData, HasTheSpectraOfTheModel) {
-  const scene::Scene s = friswell_scene();
+  const scene::Scene s = oracle::friswell_scene();
   const WhirlSystem system = whirl_system(s);
   const json data = rotor_data(s, campbell_of_test(s));
   ASSERT_EQ(data.at("branches").size(), 6u);
@@ -73,7 +65,7 @@ TEST(RotorData, HasTheSpectraOfTheModel) {
 }
 
 TEST(RotorData, HasTheShaft) {
-  const scene::Scene s = friswell_scene();
+  const scene::Scene s = oracle::friswell_scene();
   const Campbell campbell = campbell_of_test(s);
   const json data = rotor_data(s, campbell);
   EXPECT_EQ(data.at("shaft").at("discs").size(), 2u);

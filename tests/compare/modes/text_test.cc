@@ -17,17 +17,9 @@
 namespace rotorub {
 namespace {
 
-scene::Scene friswell() {
-  scene::Scene s;
-  s.name = "friswell";
-  s.rotor.speed = 100.0;
-  s.rotor.geometry = oracle::friswell_rotor();
-  return s;
-}
-
 TEST(ModesJson, HasTheContractsShape) {
-  const nlohmann::json result =
-      result::json_of(modes_result("", analyse_rotor(friswell(), {0.0, 418.8790204786391})));
+  const nlohmann::json result = result::json_of(
+      modes_result("", analyse_rotor(oracle::friswell_scene(), {0.0, 418.8790204786391})));
   ASSERT_EQ(result.at("speeds").size(), 2u);
   EXPECT_EQ(result["speeds"][0].at("speed"), 0.0);
   const nlohmann::json& modes = result["speeds"][1].at("modes");
@@ -46,13 +38,14 @@ TEST(ModesJson, HasTheContractsShape) {
 }
 
 TEST(ModesJson, WithoutSpeedsTakesTheScenes) {
-  const nlohmann::json result = result::json_of(modes_result("", analyse_rotor(friswell(), {})));
+  const nlohmann::json result =
+      result::json_of(modes_result("", analyse_rotor(oracle::friswell_scene(), {})));
   ASSERT_EQ(result["speeds"].size(), 1u);
   EXPECT_EQ(result["speeds"][0]["speed"], 100.0);
 }
 
 TEST(ModesJson, GivesTheThreshold) {
-  scene::Scene s = friswell();
+  scene::Scene s = oracle::friswell_scene();
   s.rotor.geometry->internal_damping_ratio = 0.01;
   const nlohmann::json result = result::json_of(modes_result("", analyse_rotor(s, {})));
   EXPECT_NEAR(result["stability_threshold"].get<double>(),
@@ -62,7 +55,7 @@ TEST(ModesJson, GivesTheThreshold) {
 // The terminal lists the first five critical speeds and those near the speed of the rotor, the JSON
 // all of them.
 TEST(ModesTable, CountsTheCriticalSpeedsFarAbove) {
-  scene::Scene s = friswell();
+  scene::Scene s = oracle::friswell_scene();
   const std::string few = result::text_of(modes_result("", analyse_rotor(s, {1.0})));
   EXPECT_EQ(few.find("higher critical speed"), std::string::npos) << "three in all";
 
@@ -154,7 +147,7 @@ TEST(ModesTable, FreeBodyAndBoundedSearch) {
 }
 
 TEST(ModesTable, SaysWhatTheJsonSays) {
-  scene::Scene s = friswell();
+  scene::Scene s = oracle::friswell_scene();
   const std::string stable = result::text_of(modes_result(s.name, analyse_rotor(s, {0.0})));
   EXPECT_NE(stable.find("friswell"), std::string::npos);
   EXPECT_NE(stable.find("backward          86.71405      13.80097"), std::string::npos) << stable;
@@ -170,7 +163,7 @@ TEST(ModesTable, SaysWhatTheJsonSays) {
 
 // Further keys, which leave the contract's alone.
 TEST(ModesJson, GivesModeShapes) {
-  scene::Scene s = friswell();
+  scene::Scene s = oracle::friswell_scene();
   const RotorAnalysis analysis = analyse_rotor(s, {});
   const nlohmann::json shapes = result::json_of(modes_result("", analysis)).at("mode_shapes");
   EXPECT_EQ(shapes.at("same_planes"), true);
@@ -213,7 +206,7 @@ TEST(ModesJson, ModalFormHasNoShapes) {
 }
 
 TEST(ModesTable, ShapesOfBothPlanesWhereTheyDiffer) {
-  scene::Scene s = friswell();
+  scene::Scene s = oracle::friswell_scene();
   EXPECT_NE(result::text_of(modes_result("a", analyse_rotor(s, {}))).find("planes x and y alike"),
             std::string::npos);
   s.rotor.geometry->bearings[0].stiffness.y() *= 0.5;

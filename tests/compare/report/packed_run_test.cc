@@ -10,11 +10,11 @@
 #include "compare/engine/engine.h"
 #include "compare/report/plots.h"
 #include "compare/study/scene_comparison.h"
-#include "native_model/scene/reader.h"
 #include "native_model/trajectory/columns.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/compare/report/unpacked_track.h"
 #include "tests/support/native_run.h"
+#include "tests/support/two_catchers.h"
 
 namespace rotorub {
 namespace {
@@ -174,14 +174,9 @@ TEST(PackedRun, KeepsABouncingRotor) {
       << "a twentieth of the rows";
 }
 
-scene::Scene two_catchers(const std::vector<std::string>& overrides = {}) {
-  return scene::read_scene(
-      std::string(ROTORUB_SOURCE_DIR) + "/tests/compare/engine/two_catchers.toml", overrides);
-}
-
 // Each of two contacts has its own positions, gap and impacts.
 TEST(PackedRun, KeepsEachContact) {
-  const scene::Scene scene = two_catchers();
+  const scene::Scene scene = test::segments_in_two_catchers();
   const Packed p = packed_run(*native_engine(scene::Integrator::kEvent), scene);
   expect_all(p);
   const UnpackedTrack first(p.tracks.at("gap")), second(p.tracks.at("contact2_gap"));

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include "tests/support/native_run.h"
 
 namespace rotorub {
@@ -23,10 +25,8 @@ class MadeUpSteps : public testing::Test {
   }
   void hit(double impulse, double rebound, double part) {
     WatchedStep s = made(1e-5, -0.1);
-    s.normal_impulse = impulse;
-    s.impact = true;
-    s.impact_time = s.t + part * kStep;
-    s.gap_rate_after = rebound;
+    const WatchedContact contact{impulse, true, s.t + part * kStep, rebound};
+    s.contacts = {&contact, 1};
     watch_.step(s);
     ++k_;
   }
@@ -51,7 +51,8 @@ class MadeUpSteps : public testing::Test {
   }
   void give(double impulse, double gap, double gap_rate) {
     WatchedStep s = made(gap, gap_rate);
-    s.normal_impulse = impulse;
+    const WatchedContact contact{impulse};
+    s.contacts = {&contact, 1};
     watch_.step(s);
     ++k_;
   }
@@ -123,6 +124,54 @@ TEST_F(MadeUpSteps, OnlyFlightsThatEndAreOnsets) {
   press(0.1);
   EXPECT_EQ(watch_.left_out(), 1);
   EXPECT_TRUE(finish().empty());
+}
+
+// The rotor of two_catchers, whose contact `touching` alone touches its ring.
+std::vector<Onset> onsets_at(const Model& model, std::size_t touching) {
+  const Layout& l = model.layout;
+  Eigen::Matrix2d shapes;
+  for (int k = 0; k < 2; ++k)
+    shapes.row(k) = model.auxiliary[static_cast<std::size_t>(k)].shape.x.head(2);
+  const auto at_contact = [&](double there) {
+    return Eigen::Vector2d(shapes.inverse() *
+                           (there * Eigen::Vector2d::Unit(static_cast<Eigen::Index>(touching))));
+  };
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(l.nq()), v = q;
+  OnsetWatch watch(model);
+  int step = 0;
+  const auto give = [&](double impulse, double gap, double gap_rate) {
+    q.segment<2>(l.x()) = at_contact(model.auxiliary[touching].contact->clearance - gap);
+    v.segment<2>(l.x()) = at_contact(-gap_rate);
+    std::vector<WatchedContact> contacts(model.auxiliary.size());
+    contacts[touching].normal_impulse = impulse;
+    WatchedStep s;
+    s.t = step++ * kStep;
+    s.h = kStep;
+    s.q = q.data();
+    s.v = v.data();
+    s.contacts = contacts;
+    watch.step(s);
+  };
+  for (int k = 0; k < 12; ++k) give(0.0, 1e-5, -0.1);
+  give(0.2, -1e-6, 0.0);
+  give(0.5, -1e-6, 0.0);
+  for (int k = 0; k < 21; ++k) give(0.0, 2e-5, 0.07);
+  return watch.finish(step * kStep);
+}
+
+// Which of the auxiliary bearings has the contact makes no difference.
+TEST(Onsets, EveryContactIsWatched) {
+  const Model model = prepare(test::shipped("two_catchers"));
+  for (const std::size_t touching : {0, 1}) {
+    SCOPED_TRACE(touching);
+    const std::vector<Onset> onsets = onsets_at(model, touching);
+    ASSERT_EQ(onsets.size(), 1U);
+    EXPECT_NEAR(onsets[0].closing, 0.1, 1e-12);
+    EXPECT_NEAR(onsets[0].touch, 11.1e-3, 1e-12);  // 10 um at 0.1 m/s
+    EXPECT_NEAR(onsets[0].mujoco.impulse, 0.7, 1e-15);
+    EXPECT_NEAR(onsets[0].mujoco.duration, 13.5e-3 - onsets[0].touch, 1e-12);
+    EXPECT_NEAR(onsets[0].mujoco.rebound, 0.07, 1e-12);
+  }
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ TEST_F(Allocation, NoneInAStepOrEventOfEvent) {
       const auto result = integrator.run(start, end, recorder);
       const std::int64_t count = allocations - before;
       EXPECT_EQ(result.status, Status::kOk) << result.message;
-      const Trajectory t = recorder.finish(end);
+      const Trajectory t = recorder.finish({end});
       return Run{count, result.steps, t.impacts.size(), t.events.size(), t.keyphasor.size()};
     };
     const auto doublings = [](std::size_t n) {

@@ -42,7 +42,7 @@ class OutputTest : public ::testing::Test {
         std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()));
   }
   std::string series_header(const Model& m) {
-    write_series(Recorder(m, {}).finish(0.0), folder_ / "series.csv");
+    write_series(Recorder(m, {}).finish({0.0}), folder_ / "series.csv");
     return split(content(folder_ / "series.csv"), '\n').front();
   }
   const test::TemporaryFolder folder_;

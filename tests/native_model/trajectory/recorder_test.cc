@@ -33,7 +33,7 @@ Trajectory record(
     recorder.step(snapshot(k * step, q(k * step), v(k * step)), 0.0, 0.0,
                   impact(k) ? &none : nullptr, {});
   }
-  return recorder.finish(steps * step);
+  return recorder.finish({steps * step});
 }
 
 // One mode in two planes on a cubic and a parabola, mm and ms.
@@ -107,10 +107,9 @@ TEST(Recorder, MeetsTheGapOfEveryContactAtTheStart) {
     s.auxiliary[narrow].contact->clearance = 0.3e-3;
     const Model m = prepare(s);
     Recorder recorder(m, {});
-    recorder.statistics().contacts.resize(2);
     const Eigen::VectorXd q = Eigen::Vector2d(0.25e-3, 0.0), v = Eigen::Vector2d(0.0, 0.0);
     recorder.begin(snapshot(0.0, q, v));
-    const Statistics found = recorder.finish(0.0).statistics;
+    const Statistics found = recorder.finish({0.0}).statistics;
     EXPECT_NEAR(found.least_gap, 0.05e-3, 1e-18);
     EXPECT_NEAR(found.contacts[narrow].least_gap, 0.05e-3, 1e-18);
     EXPECT_NEAR(found.contacts[1 - narrow].least_gap, 0.25e-3, 1e-18);
@@ -124,7 +123,7 @@ TEST(Recorder, PutsImpactsAndEventsInOrder) {
   recorder.add(Impact{.t = 0.1, .normal_impulse = 2.0, .gap_rate_before = -2e-4});
   recorder.add(Event{0.3, EventKind::kLiftOff});
   recorder.add(Event{0.1, EventKind::kImpact});
-  const Trajectory t = recorder.finish(0.5);
+  const Trajectory t = recorder.finish({0.5});
   ASSERT_EQ(t.impacts.size(), 2u);
   EXPECT_TRUE(counts(t.impacts[0]));
   EXPECT_FALSE(counts(t.impacts[1])) << "under 1e-4 m/s an impact is no impact in counts";

@@ -42,7 +42,7 @@ class Feed {
     recorder_.step(now, normal, friction, impact ? &own : nullptr, balance);
     last_ = point;
   }
-  Trajectory finish(double end) { return recorder_.finish(end); }
+  Trajectory finish(double end) { return recorder_.finish({end}); }
 
  private:
   const Model& model_;
@@ -68,6 +68,11 @@ TEST(Statistics, ContactIsCountedFromFirstTouch) {
   EXPECT_EQ(s.impulse_total, 9.0);
   EXPECT_DOUBLE_EQ(s.friction_impulse, -1.8);
   EXPECT_EQ(s.peak_force, 4.0);
+  ASSERT_EQ(s.contacts.size(), 1U);
+  EXPECT_EQ(s.contacts[0].impulse_total, s.impulse_total) << "the only contact is the whole";
+  EXPECT_EQ(s.contacts[0].friction_work, s.friction_work);
+  EXPECT_EQ(s.contacts[0].contact_time, s.contact_time);
+  EXPECT_EQ(s.contacts[0].least_gap, s.least_gap);
   EXPECT_EQ(s.force_square, 4.0 * 4.0 * 2.0 + 1.0);
   EXPECT_DOUBLE_EQ(t.contact_fraction(), 3.0 / 8.0);
   EXPECT_DOUBLE_EQ(t.mean_force(), 9.0 / 8.0);
@@ -90,10 +95,11 @@ TEST(Statistics, AnImpactBesideLastingContactTakesNoTimeOfItsOwn) {
       impact{.h = 1.0, .normal_impulse = 3.0, .impact = true};
   recorder.count(lasting, 0.0);
   recorder.count(impact, 0.0);
-  recorder.advance({1.0, q, v, kFlight}, contact_point(m, q, v), true);
+  const ContactPoint point = contact_point(m, q, v);
+  recorder.advance({1.0, q, v, kFlight}, {&point, 1}, true);
   recorder.count(impact, 1.0);
-  recorder.advance({2.0, q, v, kFlight}, contact_point(m, q, v), true);
-  const Statistics s = recorder.finish(2.0).statistics;
+  recorder.advance({2.0, q, v, kFlight}, {&point, 1}, true);
+  const Statistics s = recorder.finish({2.0}).statistics;
   EXPECT_EQ(s.contact_time, 2.0);
   EXPECT_EQ(s.impact_time, 1.0) << "of the second step";
   EXPECT_EQ(s.impulse_total, 8.0);

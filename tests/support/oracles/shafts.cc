@@ -48,6 +48,14 @@ scene::RotorGeometry friswell_rotor() {
   return rotor;
 }
 
+scene::Scene friswell_scene() {
+  scene::Scene s;
+  s.name = "friswell";
+  s.rotor.speed = 100.0;
+  s.rotor.geometry = friswell_rotor();
+  return s;
+}
+
 scene::RotorGeometry ross_rotor(int modes) {
   scene::RotorGeometry rotor = friswell_rotor();
   rotor.modes = modes;

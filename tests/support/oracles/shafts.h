@@ -14,6 +14,7 @@ namespace rotorub::oracle {
 //
 // Undamped, with three bending modes kept.
 scene::RotorGeometry friswell_rotor();
+scene::Scene friswell_scene();  // with this rotor at 100 rad/s
 
 // rad/s, planar modes at rest.
 inline constexpr std::array kFriswellAtRest{86.714, 274.743, 716.953};
