@@ -19,6 +19,7 @@
 #include "plugin/model/user_data.h"
 #include "plugin/model_parameters.h"
 #include "plugin/own/instances.h"
+#include "plugin/own/load_warnings.h"
 #include "plugin/own/own_config.h"
 
 namespace rotorub::plugin {
@@ -79,6 +80,9 @@ class Registry {
     // The lock is not held while the config is made.
     ConfigPointer made =
         std::make_shared<const Config>(near ? with_parameters(*near, m) : make_config(m));
+    if (!near) {  // not again after an edit
+      for (const std::string& text : load_warnings(m, *made)) warn(text.c_str());
+    }
     const std::lock_guard<std::mutex> lock(mutex_);
     // another thread has made it meanwhile
     if (ConfigPointer known = among(m, hash.numbers)) return known;
