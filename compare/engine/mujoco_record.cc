@@ -216,14 +216,15 @@ void MujocoRecord::add_contact(StepFigures& figures, std::size_t contact, double
   if (contacts_.size() > 1) recorder_.count_at(contact, t, figures.h, normal, friction, work);
 }
 
-std::optional<std::string> MujocoRecord::lost(const double* q) const {
+std::optional<std::string> MujocoRecord::lost(const double* q, const double* v) const {
   // The recorder knows the penetration of the first contact only.
   const AuxiliaryBearing& only = model_.first();
   const bool alone = contacts_.size() == 1;
-  if (alone && only.contact && recorder_.penetration() == 0.0 && !only.magnets) return {};
+  if (alone && only.contact && recorder_.penetration() == 0.0 && !only.magnets)
+    return rotor_out_of_range(model_, q, v);
   // Rigid and compliant contacts end at the same range as on the native side.
   const bool soft = !rigid_ && !model_.is_compliant();
-  return out_of_range(model_, q, soft ? RingDepth::kThickness : RingDepth::kClearance);
+  return out_of_range(model_, q, v, soft ? RingDepth::kThickness : RingDepth::kClearance);
 }
 
 Trajectory MujocoRecord::finish(double end) {

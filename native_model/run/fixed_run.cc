@@ -247,8 +247,10 @@ class FixedRun {
       recorder_.watch_gap(i, points_[i]);
     }
     const bool inside = contacts_ == 1 && model_.has_contact() && recorder_.penetration() == 0.0;
-    if (inside && !model_.auxiliary[0].magnets) return;
-    if (const auto why = out_of_range(model_, now.q)) fail(Status::kOutOfRange, now.t, *why);
+    const auto why = inside && !model_.auxiliary[0].magnets
+                         ? rotor_out_of_range(model_, now.q, now.v)
+                         : out_of_range(model_, now.q, now.v);
+    if (why) fail(Status::kOutOfRange, now.t, *why);
   }
   // Notes events of rigid contacts and the episodes of compliant ones, which start after the run
   // has begun.
