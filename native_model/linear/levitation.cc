@@ -140,6 +140,22 @@ Eigen::MatrixXcd LoopResponse::return_difference(double w) const {
   return Eigen::MatrixXcd::Identity(ports(), ports()) + g * controls(w);
 }
 
+MagneticPlant LoopResponse::plant() const {
+  const Eigen::Index half = parts_.mass.size();
+  const Eigen::VectorXd mobility = parts_.mass.cwiseInverse();
+  MagneticPlant p;
+  p.a = Eigen::MatrixXd::Zero(2 * half, 2 * half);
+  p.a.topRightCorner(half, half).setIdentity();
+  p.a.bottomLeftCorner(half, half) = -(mobility.asDiagonal() * parts_.stiffness);
+  p.a.bottomRightCorner(half, half) = -(mobility.asDiagonal() * parts_.damping);
+  p.b = Eigen::MatrixXd::Zero(2 * half, ports());
+  p.b.bottomRows(half) = mobility.asDiagonal() * into_;
+  p.c = Eigen::MatrixXd::Zero(ports(), 2 * half);
+  p.c.leftCols(half) = sensor_shapes_.transpose();
+  for (Eigen::Index j = 0; j < ports(); j += 2) p.bearings.push_back(bearing(j));
+  return p;
+}
+
 Eigen::MatrixXcd LoopResponse::sensitivity(double w) const {
   return lu_inverse(return_difference(w));
 }
