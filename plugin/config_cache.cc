@@ -78,11 +78,9 @@ class Registry {
     ConfigPointer near;
     if (ConfigPointer known = find(m, hash, &near)) return known;
     // The lock is not held while the config is made.
-    ConfigPointer made =
-        std::make_shared<const Config>(near ? with_parameters(*near, m) : make_config(m));
-    if (!near) {  // not again after an edit
-      for (const std::string& text : load_warnings(m, *made)) warn(text.c_str());
-    }
+    auto own = std::make_shared<Config>(near ? with_parameters(*near, m) : make_config(m));
+    own->warnings = near ? near->warnings : load_warnings(m, *own);  // not again after an edit
+    const ConfigPointer made = std::move(own);
     const std::lock_guard<std::mutex> lock(mutex_);
     // another thread has made it meanwhile
     if (ConfigPointer known = among(m, hash.numbers)) return known;

@@ -66,7 +66,8 @@ class ContactStatus {
     const bool escaped = !inside && has(kWasInside);
     set(kIsOutside, escaped);
     if (inside) set(kWasInside, true);
-    const bool starts_outside = !has(kWasInside) && gap < -clearance;
+    // MuJoCo takes a step at time 0 while it compiles a model, from which no run starts.
+    const bool starts_outside = time > 0.0 && !has(kWasInside) && gap < -clearance;
     const ContactFlag warned = escaped ? kEscapeWarned : kStartWarned;
     if (!(escaped || starts_outside) || has(warned)) return;
     set(warned, true);

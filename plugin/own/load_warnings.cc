@@ -1,13 +1,16 @@
 #include "plugin/own/load_warnings.h"
 
 #include <algorithm>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "mjcf/names.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/mujoco.h"
 #include "plugin/model/contact_sensors.h"
 #include "plugin/model/message.h"
+#include "plugin/model/mujoco_versions.h"
 #include "plugin/own/own_names.h"
 
 namespace rotorub::plugin {
@@ -74,11 +77,16 @@ void warn_of_pyramids(const mjModel* m, const Config& config, std::vector<std::s
 
 }  // namespace
 
-std::vector<std::string> load_warnings(const mjModel* m, const Config& config) {
-  std::vector<std::string> all;
-  warn_of_sensors(m, config, all);
-  warn_of_pyramids(m, config, all);
-  return all;
+std::shared_ptr<LoadWarnings> load_warnings(const mjModel* m, const Config& config) {
+  auto all = std::make_shared<LoadWarnings>();
+  warn_of_sensors(m, config, all->texts);
+  warn_of_pyramids(m, config, all->texts);
+  return all->texts.empty() ? nullptr : all;
+}
+
+void tell_load_warnings(const Config& config, const mjData* d) {
+  if (!config.warnings || !(d->time > 0.0) || config.warnings->told.exchange(true)) return;
+  for (const std::string& text : config.warnings->texts) warn(text.c_str());
 }
 
 }  // namespace rotorub::plugin
