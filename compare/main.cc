@@ -1,8 +1,11 @@
 // The program `rotorub`: its commands, and how errors become exit codes.
 
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -15,6 +18,7 @@
 #include "compare/commands/command_line.h"
 #include "compare/commands/terminal.h"
 #include "compare/run_files/run_directory.h"
+#include "native_model/control/shared_law.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/text.h"
 #include "native_model/trajectory/output.h"
@@ -81,6 +85,32 @@ int run(const Action& action) {
   }
 }
 
+// Says which law was running when the program crashes. Only async-signal-safe functions; the signal
+// then has its usual effect.
+void on_crash(int signal) {
+  if (const char* law = running_law()) {
+    const auto say = [](const char* text) { return write(STDERR_FILENO, text, std::strlen(text)); };
+    if (say("rotorub: the code of the controller ") < 0 || say(law) < 0 ||
+        say(signal == SIGABRT ? " has called abort()\n"
+                              : " has caused a fault (such as an invalid address or a division by "
+                                "zero); run it with gdb --args\n") < 0) {
+      return;
+    }
+  }
+  raise(signal);  // blocked here, so it arrives with the default action after the return
+}
+
+void catch_crashes() {
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
+    struct sigaction before = {}, action = {};
+    if (sigaction(signal, nullptr, &before) != 0 || before.sa_handler != SIG_DFL) continue;
+    action.sa_handler = on_crash;
+    action.sa_flags = SA_RESETHAND;
+    sigemptyset(&action.sa_mask);
+    sigaction(signal, &action, nullptr);
+  }
+}
+
 int rotorub_main(const std::vector<std::string>& arguments) {
   const std::shared_ptr<CLI::App> whole = new_program();
   CLI::App& program = *whole;
@@ -94,6 +124,7 @@ int rotorub_main(const std::vector<std::string>& arguments) {
   return run([&]() -> int {
     const Action action = parse(program, commands, arguments);
     catch_interrupts();
+    catch_crashes();
     // A file larger than `ulimit -f` then causes a write error, which is reported.
     std::signal(SIGXFSZ, SIG_IGN);
     return action();

@@ -19,6 +19,7 @@
 #include "plugin/model/user_data.h"
 #include "plugin/model_parameters.h"
 #include "plugin/own/instances.h"
+#include "plugin/own/load_warnings.h"
 #include "plugin/own/own_config.h"
 
 namespace rotorub::plugin {
@@ -77,8 +78,9 @@ class Registry {
     ConfigPointer near;
     if (ConfigPointer known = find(m, hash, &near)) return known;
     // The lock is not held while the config is made.
-    ConfigPointer made =
-        std::make_shared<const Config>(near ? with_parameters(*near, m) : make_config(m));
+    auto own = std::make_shared<Config>(near ? with_parameters(*near, m) : make_config(m));
+    own->warnings = near ? near->warnings : load_warnings(m, *own);  // not again after an edit
+    const ConfigPointer made = std::move(own);
     const std::lock_guard<std::mutex> lock(mutex_);
     // another thread has made it meanwhile
     if (ConfigPointer known = among(m, hash.numbers)) return known;

@@ -18,6 +18,7 @@
 #include "plugin/model/options.h"
 #include "plugin/model/segments.h"
 #include "plugin/model/user_data.h"
+#include "plugin/own/load_warnings.h"
 #include "plugin/sensors.h"
 #include "plugin/shadow.h"
 #include "plugin/solver_watch.h"
@@ -159,6 +160,7 @@ void run_control_stage(const Config& config, const mjModel* m, mjData* d) {
     return;
   }
   watch_solver(config, m, d);
+  tell_load_warnings(config, d);
   PassMotion motion(config, m, d);
   forget_written_contacts(config, m, d, motion);
   apply_command_and_contacts(config, m, d, motion);

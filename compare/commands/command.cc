@@ -16,6 +16,7 @@
 #include "compare/commands/terminal.h"
 #include "compare/sweep/shard.h"
 #include "native_model/control/library.h"
+#include "native_model/control/library_file.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/overrides.h"
 #include "native_model/scene/reader.h"
@@ -47,15 +48,6 @@ std::string no_library(const std::string& file) {
         file, suffix == ".c" ? "cc" : "c++", file, library, library);
   }
   return "";
-}
-
-// As a user types it in a shell: in quotes only if it needs them.
-std::string typed(const std::string& word) {
-  const auto is_plain = [](unsigned char c) {
-    return std::isalnum(c) != 0 ||
-           std::string_view("_-+=.,:/%@").find(static_cast<char>(c)) != std::string_view::npos;
-  };
-  return !word.empty() && std::ranges::all_of(word, is_plain) ? word : sweep::shell_word(word);
 }
 
 bool is_whole(double ratio) { return std::abs(ratio - std::round(ratio)) < 1e-6; }
@@ -115,6 +107,14 @@ void add_format_option(CLI::App& command, std::string& format) {
       .shows_default();
 }
 
+std::string typed(const std::string& word) {
+  const auto is_plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 ||
+           std::string_view("_-+=.,:/%@").find(static_cast<char>(c)) != std::string_view::npos;
+  };
+  return !word.empty() && std::ranges::all_of(word, is_plain) ? word : sweep::shell_word(word);
+}
+
 hdf5::ImageOf hdf5_of(const std::string& format) {
   if (format != "hdf5") return nullptr;
   std::string missing;
@@ -140,6 +140,16 @@ std::vector<std::string> overrides_of(const CommonOptions& options) {
   return overrides;
 }
 
+std::vector<std::string> libraries_from(const scene::Scene& scene,
+                                        const std::filesystem::path& file) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  const auto whole = [](const fs::path& folder) { return fs::absolute(folder / "."); };
+  const bool same =
+      scene.folder && fs::equivalent(whole(*scene.folder), whole(file.parent_path()), none);
+  return same ? std::vector<std::string>() : absolute_libraries(scene);
+}
+
 std::string command_text(std::string_view command, const std::string& file,
                          const CommonOptions& options) {
   std::string text = fmt::format("rotorub {} {}", command, typed(file));
@@ -150,6 +160,16 @@ std::string command_text(std::string_view command, const std::string& file,
   for (const std::string& override : options.overrides) add("--set", override);
   add("--end", options.end);
   return text + (options.allow_library ? " --allow-library" : "");
+}
+
+// The option from which an override of this key came.
+const char* option_of(const std::string& key, const CommonOptions& options) {
+  if (key == "run.step" && !options.step.empty()) return "--step";
+  if (key == "run.end" && !options.end.empty()) return "--end";
+  const bool set = std::ranges::any_of(
+      options.overrides, [&](const auto& text) { return scene::override_key(text) == key; });
+  const bool law = key == "controller" || key.starts_with("controller.");
+  return law && !set && !options.controller.empty() ? "--controller" : scene::kOverrideFile;
 }
 
 scene::Scene read_scene(const std::string& file, const CommonOptions& options) {
@@ -164,19 +184,25 @@ scene::Scene read_scene(const std::string& file, const CommonOptions& options) {
     std::vector<scene::Diagnostic> wrong = error.diagnostics();
     for (scene::Diagnostic& d : wrong) {
       if (d.file != scene::kOverrideFile) continue;
+      d.file = option_of(d.key, options);
       if (d.key == "controller" && !options.controller.empty() &&
           d.reason.starts_with("cannot stand beside")) {
-        d.file = "--controller";
         d.key.clear();
         d.reason =
             "this scene has several contacts, and --controller sets the controller of a single "
             "ring. Set [contact.controller] in the file. A law for magnetic bearings belongs in "
             "[magnetic_control] kind = \"library\" (mjcf/docs/own_controller.md).";
       }
-      if (d.key == "run.step" && !options.step.empty()) d.file = "--step";
-      if (d.key == "run.end" && !options.end.empty()) d.file = "--end";
     }
     throw scene::SceneError(wrong);
+  }
+  if (!options.controller.empty()) {  // for errors that only the loading of the law shows
+    auto record = std::make_shared<scene::Record>(*scene.record);
+    for (const char* key : {"controller", "controller.kind", "controller.library"}) {
+      const std::string option = option_of(key, options);
+      if (option != scene::kOverrideFile) record->move(key, scene::kOverrideFile, option);
+    }
+    scene.record = std::move(record);
   }
   if (!options.quiet) {
     // A study or a ladder reads its scene many times, so each note is printed once.

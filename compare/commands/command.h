@@ -75,6 +75,12 @@ hdf5::ImageOf hdf5_of(const std::string& format);
 
 // --controller and --set, as overrides.
 std::vector<std::string> overrides_of(const CommonOptions& options);
+// Overrides with the absolute paths of a scene's libraries, if `file`, a copy of the scene, is in
+// another folder; otherwise none.
+std::vector<std::string> libraries_from(const scene::Scene& scene,
+                                        const std::filesystem::path& file);
+// A word as a user types it in a shell: in quotes only if it needs them.
+std::string typed(const std::string& word);
 // "rotorub tune rig.toml --controller law.so --set contact.friction=0.2": the command for this file
 // with --controller, --set, --end and --allow-library as given.
 std::string command_text(std::string_view command, const std::string& file,

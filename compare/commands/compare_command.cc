@@ -164,13 +164,28 @@ void find_settings(const CompareArguments& options, double tolerance,
   }
 }
 
+// Says which runs failed, and the text of a law that failed in several of them only once.
+void say_failures(const SceneComparison& c) {
+  std::vector<const Side*> failed;
+  std::string laws;
+  for (const Side* side : c.sides()) {
+    const bool law = side->trajectory.status == Status::kControllerFailed;
+    if (law) laws += (laws.empty() ? "" : ", ") + side->label;
+    if (law ? laws == side->label : side->trajectory.status != Status::kOk) failed.push_back(side);
+  }
+  for (const Side* side : failed) {
+    const bool law = side->trajectory.status == Status::kControllerFailed;
+    say_failure(c.scene, (law ? laws : side->label) + ": ", side->trajectory);
+  }
+}
+
 int exit_code(const std::vector<SceneComparison>& comparisons) {
   if (interrupted()) throw Interrupted();
   int code = kDone;
   for (const SceneComparison& c : comparisons) {
     const int run = exit_code_of(c.status());
     if (run != kDone) {
-      for (const Side* side : c.sides()) say_failure(c.scene, side->label + ": ", side->trajectory);
+      say_failures(c);
       return run;
     }
     if (!c.within()) code = kOutside;

@@ -78,7 +78,10 @@ int run_identify(const IdentifyArguments& options) {
   if (found.interrupted) throw Interrupted();
   result::Section result = identify::result_of(measured.record->file, found);
   if (!options.file.empty()) {
-    write_whole(options.file, read(found.overrides).text);
+    std::vector<std::string> values = found.overrides;
+    const auto libraries = libraries_from(read(values), options.file);
+    values.insert(values.end(), libraries.begin(), libraries.end());
+    write_whole(options.file, read(values).text);
     result.add({written_to(options.file)});
   }
   return finish(result, options);

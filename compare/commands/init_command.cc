@@ -168,17 +168,19 @@ int write_starter(const InitArguments& options) {
   if (file.empty()) {
     result.add({result::Data{"scene", text}, result::line(text)});
   } else {
-    const std::string scene = scene::printable(file.string(), 1000);
+    const std::string scene = typed(file.string());
     result.add({result::Data{"file", file.string()},
-                result::line(fmt::format("written to {0}\ntry: rotorub run {0}", scene))});
+                result::line(fmt::format("written to {}\ntry: rotorub run {}",
+                                         scene::printable(file.string(), 1000), scene))});
     if (!laws.empty()) {
       result.add(
           {result::Data{"controller", laws.string()},
            result::line(fmt::format(
-               "starting points for your own controller in C, C++ and Python: {0}\n"
-               "try: cc -shared -fPIC -I {0} {0}/follow.c -o follow.so\n"
-               "     rotorub run {1} --controller follow.so --set controller.sample_time=50us",
-               scene::printable(laws.string(), 1000), scene))});
+               "starting points for your own controller in C, C++ and Python: {}\n"
+               "try: cc -shared -fPIC -I {} {} -o follow.so\n"
+               "     rotorub run {} --controller follow.so --set controller.sample_time=50us",
+               scene::printable(laws.string(), 1000), typed(laws.string()),
+               typed((laws / "follow.c").string()), scene))});
     }
   }
   // A scene without a file is printed even if nothing else is.

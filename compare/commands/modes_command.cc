@@ -25,6 +25,7 @@
 #include "compare/report/page_frame.h"
 #include "compare/result/result.h"
 #include "compare/sweep/study_reader.h"
+#include "native_model/linear/levitation.h"
 #include "native_model/linear/rub_map.h"
 #include "native_model/model/linear_plant.h"
 #include "native_model/model/model.h"
@@ -217,22 +218,26 @@ int show_feedback(const ModesArguments& options) {
 }
 
 // rotorub modes --state-space: prints JSON regardless of other options. If there are several rings,
-// the plant belongs to the first ring that moves.
+// the plant belongs to the first ring that moves; without one, to the magnetic bearings.
 int show_state_space(const ModesArguments& options) {
   const scene::Scene scene = read_scene(options.scene, options);
   const Model model = prepare(scene);
   const auto driven = std::ranges::find_if(
       scene.auxiliary, [](const scene::AuxiliaryBearing& at) { return at.stator && at.contact; });
+  const auto finished = [](const nlohmann::json& plant) {
+    return finish({.parts = {result::Data{"", plant}}}, {.json = true});
+  };
   if (driven == scene.auxiliary.end()) {
+    const LoopResponse response(model, scene.rotor.speed);
+    if (response.ports() > 0) return finished(state_space_json(scene, response.plant()));
     throw UsageError(
-        "--state-space needs a scene with [stator] and [contact], because the force on the ring is "
-        "the input");
+        "--state-space needs an input: a ring that moves ([stator] and [contact]), or a magnetic "
+        "bearing with [magnetic_bearing.control]");
   }
   const auto bearing = static_cast<std::size_t>(driven - scene.auxiliary.begin());
   const std::string why = beyond_linear_plant(scene, bearing, model);
   if (!why.empty()) throw UsageError("--state-space: " + why);
-  const nlohmann::json plant = state_space_json(scene, plant_of(model, bearing, scene.rotor.speed));
-  return finish({.parts = {result::Data{"", plant}}}, {.json = true});
+  return finished(state_space_json(scene, plant_of(model, bearing, scene.rotor.speed)));
 }
 
 int modes(const ModesArguments& options) {

@@ -18,6 +18,7 @@
 #include "compare/report/page_frame.h"
 #include "compare/result/result.h"
 #include "native_model/scene/overrides.h"
+#include "native_model/scene/reader.h"
 #include "native_model/trajectory/output.h"
 
 namespace rotorub {
@@ -84,10 +85,14 @@ int run_optimise(const OptimiseArguments& options) {
   bar.clear();
   if (optimum.ending == optimise::Ending::kInterrupted && optimum.evaluations.empty())
     throw Interrupted();
-  const std::string best =
-      optimum.best
-          ? optimise::scene_of(task, variants, optimum.evaluations[*optimum.best].values, true).text
-          : "";
+  std::string best;
+  if (optimum.best) {
+    const scene::Scene scene =
+        optimise::scene_of(task, variants, optimum.evaluations[*optimum.best].values, true);
+    const auto libraries = libraries_from(scene, folder / kBestFile);
+    best =
+        libraries.empty() ? scene.text : scene::parse_scene(scene.text, kBestFile, libraries).text;
+  }
   result::Section result =
       optimise::result_of(printable_path(task.study.scene.stem()), task, optimum);
   const std::string json = result::ordered_json_of(result).dump(2) + "\n";

@@ -8,6 +8,7 @@
 
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
+#include "compare/commands/terminal.h"
 #include "compare/report/page.h"
 #include "compare/result/result.h"
 #include "compare/run_files/run_directory.h"
@@ -36,6 +37,8 @@ StoredRun run_of(const PlotArguments& options) {
 }
 
 int plot(const PlotArguments& options) {
+  ProgressBar bar(options.quiet);
+  bar.show(0.0, "reading the run");
   const StoredRun run = run_of(options);
   const auto shadow = read_shadow(options.folder, run);
   if (shadow)
@@ -43,7 +46,9 @@ int plot(const PlotArguments& options) {
   const path file = options.file.empty() ? path(options.folder) / kRunPage : path(options.file);
   check_ending(file, ".html");
   check_output_file(file);
+  bar.show(0.5, "writing the page");
   write_whole(file, run_page(run, shadow));
+  bar.clear();
   const result::Section result{
       .parts = {result::Data{"",
                              {{"scene", run.scene.name},

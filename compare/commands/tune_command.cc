@@ -52,14 +52,15 @@ void write_tuned(const TuneArguments& options, const tune::TuneResult& result) {
     return;
   }
   const auto& setting = result.settings[*result.choice.trusted].setting;
-  const auto tuned = tune::tuned_text(result.scene.text, options.scene, setting);
+  const auto tuned = tune::tuned_text(result.scene.text, options.scene, setting,
+                                      libraries_from(result.scene, options.file));
   write_whole(options.file, tuned.text);
   say(options,
       fmt::format(
-          "\nwritten to {0}{1}; to compare it, run\n  rotorub compare {0} --contact {2}{3}\n",
+          "\nwritten to {}{}; to compare it, run\n  rotorub compare {} --contact {}{}\n",
           printable_path(options.file),
           tuned.comments_kept && !is_changed(options) ? "" : " (without the comments of the scene)",
-          to_string(setting.contact),
+          typed(options.file), to_string(setting.contact),
           libraries_of(result.scene).empty() ? "" : " --allow-library"));
 }
 

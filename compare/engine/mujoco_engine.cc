@@ -110,7 +110,7 @@ Trajectory run_mujoco(const scene::Scene& scene, const MujocoSetup& setup,
           record.step(k, run.q(i), run.v(i), run.result(i));
           feed.step(k, run.q(i), run.v(i), run.result(i));
         }
-        if (const auto why = record.lost(run.q(i))) {
+        if (const auto why = record.lost(run.q(i), run.v(i))) {
           status = Status::kOutOfRange;
           message = *why;
           break;

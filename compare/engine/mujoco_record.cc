@@ -202,10 +202,10 @@ void MujocoRecord::add_contact(StepFigures& figures, std::size_t contact, double
   recorder_.count_at(contact, t, figures.h, normal, friction, work);
 }
 
-std::optional<std::string> MujocoRecord::lost(const double* q) const {
+std::optional<std::string> MujocoRecord::lost(const double* q, const double* v) const {
   // Rigid and compliant contacts end at the same range as on the native side.
   const bool soft = !rigid_ && !model_.is_compliant();
-  return out_of_range(model_, q, soft ? RingDepth::kThickness : RingDepth::kClearance);
+  return out_of_range(model_, q, v, soft ? RingDepth::kThickness : RingDepth::kClearance);
 }
 
 Trajectory MujocoRecord::finish(const RunEnd& end) {

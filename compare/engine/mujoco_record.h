@@ -32,7 +32,7 @@ class MujocoRecord {
                    bool last);
 
   // The reason if the rotor is out of range of the contact, otherwise empty.
-  std::optional<std::string> lost(const double* q) const;
+  std::optional<std::string> lost(const double* q, const double* v) const;
   Trajectory finish(const RunEnd& end);
 
  private:

@@ -24,8 +24,10 @@ std::string critical_text(const RotorAnalysis& analysis, double speed) {
   const auto nearest = std::ranges::min_element(
       analysis.critical_speeds, {}, [&](double critical) { return std::abs(critical - running); });
   const auto at = static_cast<std::size_t>(nearest - analysis.critical_speeds.begin());
-  const std::string critical =
-      fmt::format("{} rpm ({})", grouped(*nearest * kRpm), to_string(analysis.critical_senses[at]));
+  // A film damps so strongly that the response may peak at another speed, or not at all.
+  const std::string critical = fmt::format("{} rpm ({}{})", grouped(*nearest * kRpm),
+                                           to_string(analysis.critical_senses[at]),
+                                           analysis.system.films.empty() ? "" : ", undamped");
   if (running == 0.0) return fmt::format("The first critical speed is {}.", critical);
   const double share = *nearest / running - 1.0;
   std::string text = fmt::format("The critical speed nearest to {} rpm is {}, {:.3g} % {} it",

@@ -195,6 +195,24 @@ json state_space_json(const scene::Scene& scene, const LinearPlant& plant) {
           {"C", rows_of(plant.c)}};
 }
 
+json state_space_json(const scene::Scene& scene, const MagneticPlant& plant) {
+  std::vector<std::string> states, inputs, outputs;
+  const auto modes = static_cast<std::size_t>(plant.a.rows()) / 4;
+  for (const char* name : {"x", "y", "vx", "vy"}) {
+    for (std::size_t k = 1; k <= modes; ++k) states.push_back(fmt::format("{}_{}", name, k));
+  }
+  for (const std::size_t k : plant.bearings) {
+    const std::string bearing = k == 0 ? "bearing" : fmt::format("bearing{}", k + 1);
+    for (const char* axis : {"x", "y"}) {
+      inputs.push_back(fmt::format("{}_current_{}", bearing, axis));
+      outputs.push_back(fmt::format("{}_sensor_{}", bearing, axis));
+    }
+  }
+  return {{"speed", scene.rotor.speed}, {"states", states},      {"inputs", inputs},
+          {"outputs", outputs},         {"A", rows_of(plant.a)}, {"B", rows_of(plant.b)},
+          {"C", rows_of(plant.c)}};
+}
+
 std::string feedback_keys(const rub::FeedbackMap& map) {
   std::string feedback, speed;
   for (const auto& choice : map.rule()) {

@@ -10,6 +10,7 @@
 #include "compare/modes/rub_key_map.h"
 #include "compare/result/result.h"
 #include "native_model/control/quadratic.h"
+#include "native_model/linear/levitation.h"
 #include "native_model/linear/rub_map.h"
 #include "native_model/scene/scene.h"
 
@@ -29,6 +30,7 @@ nlohmann::json rub_columns(const std::vector<std::optional<rub::RubPoint>>& poin
 result::Section rub_map_picture(const std::string& name, const RubKeyMap& map);
 
 nlohmann::json state_space_json(const scene::Scene& scene, const LinearPlant& plant);
+nlohmann::json state_space_json(const scene::Scene& scene, const MagneticPlant& plant);
 
 // The rule as keys of a scene, on two lines; empty if no k is stable at any speed.
 std::string feedback_keys(const rub::FeedbackMap& map);

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "compare/modes/levitation_text.h"
+#include "native_model/linear/levitation.h"
+#include "native_model/model/model.h"
 #include "native_model/scene/record.h"
 #include "native_model/scene/text.h"
 #include "native_model/trajectory/columns.h"
@@ -98,6 +101,22 @@ void doubt_saturation(const scene::Scene& scene, const Trajectory& run,
         scene.auxiliary.size() > 1 ? fmt::format("{}: ", scene.name_of(k)) : std::string(),
         actuator->force_limit, 100.0 * share));
   }
+}
+
+// Reports magnetic bearings whose loop is unstable if the run shows it: it failed, or its motion
+// grew without a contact.
+void doubt_levitation(const scene::Scene& scene, const Trajectory& run,
+                      std::vector<std::string>& all) {
+  const bool failed = run.status == Status::kOutOfRange || run.status == Status::kNoSolution ||
+                      run.status == Status::kDiverged || run.status == Status::kStepTooLarge;
+  const bool free = run.status == Status::kOk && run.statistics.first_touch < 0.0;
+  if (scene.magnetic_bearings.empty() || !(failed || free)) return;
+  const Model model = make_model(scene, [](Model&) {});  // the start does not matter
+  const Levitation loop = levitation_poles(model, scene.rotor.speed);
+  if (!loop.unstable()) return;
+  if (free && loop.poles.front().real() * run.end < 1.0) return;
+  all.push_back(instability_text(scene.rotor.speed, loop) +
+                " Change its gains until `rotorub modes` calls the loop stable.");
 }
 
 // Reports lengths that do not fit the shaft, probably given in millimetres without a unit.
@@ -194,6 +213,7 @@ std::vector<std::string> doubts(const scene::Scene& scene, const Trajectory& run
         100.0 * off, run.step));
   }
   doubt_saturation(scene, run, all);
+  doubt_levitation(scene, run, all);
   return all;
 }
 

@@ -1,6 +1,6 @@
 // Warnings about values of a scene that are probably mistakes (a missing unit, an extra zero, a law
-// that never acts), and about a run whose energy balance is off or whose actuator is saturated.
-// Nothing is refused.
+// that never acts), and about a run whose energy balance is off, whose actuator is saturated or
+// whose magnetic bearings do not hold the rotor. Nothing is refused.
 #pragma once
 
 #include <string>

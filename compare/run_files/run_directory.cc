@@ -163,10 +163,7 @@ nlohmann::json summary_of(const path& file) {
 // absolute paths are inserted. The text of a user's own machine, which has no record, names no
 // library.
 std::string text_to_keep(const scene::Scene& scene) {
-  std::vector<std::string> places;
-  for (const NamedLibrary& library : libraries_of(scene)) {
-    places.push_back(library.key + "=" + library_path(scene, library).string());
-  }
+  const std::vector<std::string> places = absolute_libraries(scene);
   if (places.empty() || !scene.record) return scene.text;
   return scene::parse_scene(scene.text, scene.name + ".toml", places).text;
 }

@@ -108,9 +108,11 @@ json above_modes_json(const std::optional<AboveModes>& above) {
           {"fastest_whirl", above->fastest}};
 }
 
-// mass, above: contact_mass and above_modes of the run, whose eigenproblems take a while.
+// mass, above, warnings: contact_mass, above_modes and doubts of the run, whose eigenproblems take
+// a while.
 json written(const scene::Scene& scene, const Trajectory& trajectory,
-             const std::optional<ContactMass>& mass, const std::optional<AboveModes>& above) {
+             const std::optional<ContactMass>& mass, const std::optional<AboveModes>& above,
+             const std::vector<std::string>& warnings) {
   json all = run_numbers_json(scene, trajectory);
   all.update({{"program", "rotorub"},
               {"version", program_version()},
@@ -124,7 +126,7 @@ json written(const scene::Scene& scene, const Trajectory& trajectory,
               {"above_modes", above_modes_json(above)},
               {"status", to_string(trajectory.status)},
               {"message", trajectory.message},
-              {"warnings", doubts(scene, trajectory)}});
+              {"warnings", warnings}});
   if (trajectory.contacts > 1) all["contacts"] = contacts_json(scene, trajectory);
   return all;
 }
@@ -238,7 +240,8 @@ json run_numbers_json(const scene::Scene& scene, const Trajectory& trajectory) {
 }
 
 json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
-  return written(scene, trajectory, contact_mass(scene), above_modes(scene, trajectory));
+  return written(scene, trajectory, contact_mass(scene), above_modes(scene, trajectory),
+                 doubts(scene, trajectory));
 }
 
 std::string rub_answer(const Metrics& m, std::optional<double> cut) {
@@ -267,11 +270,11 @@ result::Section run_result(const scene::Scene& scene, const Trajectory& t) {
   const Metrics m = metrics(t, contacts);
   const std::optional<ContactMass> mass = contact_mass(scene);
   const std::optional<AboveModes> above = above_modes(scene, t);
-  result::Section told{.parts = {result::Data{"", written(scene, t, mass, above)}}};
+  const std::vector<std::string> warnings = doubts(scene, t);
+  result::Section told{.parts = {result::Data{"", written(scene, t, mass, above, warnings)}}};
   told.add(opening(scene, t));
   if (!t.message.empty()) told.add({result::Sentence{t.message, "  "}});
-  for (const std::string& doubt : doubts(scene, t))
-    told.add({result::Sentence{doubt, "  warning: "}});
+  for (const std::string& doubt : warnings) told.add({result::Sentence{doubt, "  warning: "}});
   if (!contacts.empty()) {
     const auto cut = t.status == Status::kOk ? std::optional<double>() : t.end;
     told.add({result::Sentence{rub_answer(m, cut), "  rubs: "}});

@@ -15,7 +15,8 @@ namespace {
 std::string reason(const SceneComparison& c, const ComparedModel& m) {
   const Side &native = c.native, &other = m.run;
   for (const Side* side : {&native, &other}) {
-    if (side->trajectory.status != Status::kOk) return side->early_end();
+    const Status status = side->trajectory.status;
+    if (status != Status::kOk) return side->early_end(status != Status::kControllerFailed);
   }
   if (!c.omission.empty())
     return c.omission + ", so no difference can be attributed to the contact";

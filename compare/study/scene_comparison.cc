@@ -370,10 +370,10 @@ CompareMode compare_mode_of(const std::string& name) {
   return static_cast<CompareMode>(found - std::begin(kModes));
 }
 
-std::string Side::early_end() const {
+std::string Side::early_end(bool cause) const {
   if (trajectory.status == Status::kOk) return "";
-  return fmt::format("the {} run ended early ({}): {}", label, to_string(trajectory.status),
-                     trajectory.message);
+  return fmt::format("the {} run ended early ({}){}", label, to_string(trajectory.status),
+                     cause ? ": " + trajectory.message : std::string());
 }
 
 std::vector<const Side*> SceneComparison::sides() const {

@@ -83,7 +83,9 @@ struct Side {
   std::vector<Extrapolation> limits;
   Timing timing;
 
-  std::string early_end() const;  // half a sentence; empty if the run ended well
+  // Half a sentence on a run that ended early; empty if it ended well. A failing law has the same
+  // long text in every run, which `cause` = false leaves out.
+  std::string early_end(bool cause = true) const;
 };
 
 // One figure of a contact model compared with the native one.

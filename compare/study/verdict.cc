@@ -206,8 +206,13 @@ std::vector<std::string> reasons(const SceneComparison& comparison, const Compar
   const auto add = [&](std::string sentence) {
     if (!sentence.empty()) all.push_back(std::move(sentence));
   };
-  add(native.early_end());
-  add(other.early_end());
+  // If the law fails everywhere, its text stands once.
+  const auto failed = [](const Side& side) {
+    return side.trajectory.status == Status::kControllerFailed;
+  };
+  const bool first = &model == &comparison.models.front();
+  add(native.early_end(first || !failed(native)));
+  add(other.early_end(!(failed(native) && failed(other))));
   if (other.trajectory.status == Status::kOk) add(other.trajectory.message);
   add(comparison.omission);
   if (!comparison.omission.empty()) return all;

@@ -29,7 +29,9 @@ constexpr const char* kKept[] = {"end",
                                  "energy_residual",
                                  "forward_passes",
                                  "backward_passes",
-                                 "whirl_time"};
+                                 "whirl_time",
+                                 "hard_impacts",
+                                 "lasting_fraction"};
 
 constexpr ColumnMeaning kPoint{"point", "", "number of the point in the study's order, from 0", ""};
 constexpr std::string_view kVaried = "value of the varied key";

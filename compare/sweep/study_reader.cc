@@ -135,6 +135,9 @@ const scene::Key* scene_key(std::string_view path, std::string& reason) {
     for (const scene::Key& key : t.keys) {
       all.push_back(std::string(t.path) + "." + std::string(key.name));
     }
+    // A table of the user's own keys: only its path can be misspelt.
+    const std::size_t last = plain.rfind('.');
+    if (t.any_key && last != plain.npos) all.push_back(std::string(t.path) + plain.substr(last));
   }
   const std::vector<std::string_view> known(all.begin(), all.end());
   const std::string_view meant = scene::nearest(plain, known);

@@ -4,12 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 #include <string_view>
 
 #include "compare/base/format.h"
 #include "compare/engine/engine.h"
+#include "native_model/scene/overrides.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/text.h"
 
@@ -190,9 +192,16 @@ std::string with_values(const std::string& toml, const std::vector<KeyValue>& va
   return joined(lines);
 }
 
-TunedText tuned_text(const std::string& toml, const std::string& name, const Setting& setting) {
+TunedText tuned_text(const std::string& toml, const std::string& name, const Setting& setting,
+                     const std::vector<std::string>& libraries) {
   std::vector<KeyValue> values = key_values(setting);
   values.push_back({"run", "integrator", "\"event\"", true});
+  for (const std::string& library : libraries) {
+    const std::string key = scene::override_key(library);
+    const std::size_t dot = key.rfind('.');
+    values.push_back({key.substr(0, dot), key.substr(dot + 1),
+                      nlohmann::json(library.substr(key.size() + 1)).dump()});
+  }
   TunedText tuned{with_values(toml, values)};
   if (reads_as(tuned.text, name, setting)) return tuned;
   std::vector<std::string> further;

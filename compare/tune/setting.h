@@ -47,11 +47,12 @@ std::string with_values(const std::string& toml, const std::vector<KeyValue>& va
 
 // The text of `toml` (a whole scene) in this setting, judged against `event`: from with_values if
 // the result reads as the same setting, otherwise rewritten without comments. name: of the scene's
-// file.
+// file. libraries: overrides with the paths of its libraries, if they change.
 struct TunedText {
   std::string text;
   bool comments_kept = true;
 };
-TunedText tuned_text(const std::string& toml, const std::string& name, const Setting& setting);
+TunedText tuned_text(const std::string& toml, const std::string& name, const Setting& setting,
+                     const std::vector<std::string>& libraries = {});
 
 }  // namespace rotorub::tune

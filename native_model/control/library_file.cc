@@ -131,4 +131,11 @@ std::vector<NamedLibrary> libraries_of(const scene::Scene& scene) {
   return all;
 }
 
+std::vector<std::string> absolute_libraries(const scene::Scene& scene) {
+  std::vector<std::string> all;
+  for (const NamedLibrary& library : libraries_of(scene))
+    all.push_back(library.key + "=" + library_path(scene, library).string());
+  return all;
+}
+
 }  // namespace rotorub

@@ -37,5 +37,8 @@ std::vector<NamedLibrary> libraries_of(const scene::Scene& scene);
 // folders of look_for_controllers_in() and of that variable, and an absolute path is allowed if the
 // variable is set. Throws scene::SceneError if the library is not found or not allowed.
 std::filesystem::path library_path(const scene::Scene& scene, const NamedLibrary& library);
+// Overrides "controller.library=/home/rig/law.so" with the absolute paths of a scene's libraries,
+// for a copy of the scene in another folder, where a relative path would lead elsewhere.
+std::vector<std::string> absolute_libraries(const scene::Scene& scene);
 
 }  // namespace rotorub

@@ -16,6 +16,20 @@ namespace {
 constexpr std::size_t kReasonRoom = 512;  // bytes
 constexpr std::size_t kNameRoom = 80;     // bytes
 
+thread_local constinit const char* running = nullptr;
+
+// Names the law while its code runs. The library's own threads are not known.
+class Running {
+ public:
+  explicit Running(const std::string& law) : before_(running) { running = law.c_str(); }
+  ~Running() { running = before_; }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+ private:
+  const char* before_;
+};
+
 std::shared_ptr<void> opened(const std::filesystem::path& file) {
   void* const handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
@@ -64,6 +78,8 @@ std::string absent(void* library, const std::filesystem::path& file) {
 
 }  // namespace
 
+const char* running_law() { return running; }
+
 template <class Kind>
 SharedLaw<Kind>::SharedLaw(const std::filesystem::path& file) : library_(opened(file)) {
   const auto refuse = [&file](const std::string& why) {
@@ -83,10 +99,12 @@ SharedLaw<Kind>::SharedLaw(const std::filesystem::path& file) : library_(opened(
     refuse("has no create() or no step()");
   name_ = functions_->name != nullptr ? scene::printable(functions_->name, kNameRoom)
                                       : file.filename().string();
+  shown_ = name_ + " (" + scene::printable(file.filename().string(), kNameRoom) + ")";
 }
 
 template <class Kind>
 SharedLaw<Kind>::~SharedLaw() {
+  const Running here(shown_);
   if (created_ && functions_->destroy != nullptr) functions_->destroy(self_);
 }
 
@@ -100,6 +118,7 @@ std::uint32_t SharedLaw<Kind>::command() const {
 
 template <class Kind>
 std::string SharedLaw<Kind>::create(const typename Kind::Setup& setup) {
+  const Running here(shown_);
   const std::string failed = failure_of(
       [&](char* reason) { return functions_->create(&setup, &self_, reason, kReasonRoom); });
   if (!failed.empty()) return failed;
@@ -110,12 +129,14 @@ std::string SharedLaw<Kind>::create(const typename Kind::Setup& setup) {
 
 template <class Kind>
 void SharedLaw<Kind>::start(double* state) const {
+  const Running here(shown_);
   if (functions_->start != nullptr) functions_->start(self_, state);
 }
 
 template <class Kind>
 std::string SharedLaw<Kind>::step(const typename Kind::Measurement& now, double* state,
                                   double* output) const {
+  const Running here(shown_);
   return failure_of([&](char* reason) {
     return functions_->step(self_, &now, state, output, reason, kReasonRoom);
   });

@@ -11,6 +11,10 @@
 
 namespace rotorub {
 
+// "follow (law.so)", the shared library whose code runs in this thread; null if none does.
+// Async-signal-safe.
+const char* running_law();
+
 template <class Kind>
 class SharedLaw final : public Law<Kind> {
  public:
@@ -35,6 +39,7 @@ class SharedLaw final : public Law<Kind> {
   bool created_ = false;
   std::size_t state_size_ = 0;
   std::string name_;
+  std::string shown_;  // for running_law()
 };
 
 }  // namespace rotorub

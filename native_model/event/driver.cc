@@ -154,7 +154,7 @@ bool EventIntegrator::still_redundant(std::size_t k) const {
 
 // The rotor or a ring has left its range.
 void EventIntegrator::fail_out_of_range() {
-  const auto reason = out_of_range(*model_, motion_.q());
+  const auto reason = out_of_range(*model_, motion_.q(), motion_.v());
   fail(Status::kOutOfRange, reason.value_or("rotor or ring left its range"));
   step_.update_tolerances(motion_);
   observer_.update_energy_scale(motion_);

@@ -173,8 +173,12 @@ double locate_least_gap(const Model& m, std::size_t contact, SmoothStep& step, d
 }
 
 std::optional<double> locate_loss(const Model& m, SmoothStep& step, double last) {
-  const auto inside = [&](double theta) { return out_of_range(m, step.at(theta)) ? -1.0 : 1.0; };
+  const auto inside = [&](double theta) {
+    const double* y = step.at(theta);
+    return out_of_range(m, y, y + m.nq()) ? -1.0 : 1.0;
+  };
   if (inside(last) > 0.0) return {};
+  if (inside(0.0) < 0.0) return 0.0;  // an impact made the rotor too fast
   const auto close = [](double a, double b) { return b - a < 1e-12; };
   std::uintmax_t evaluations = 60;
   return boost::math::tools::bisect(inside, 0.0, last, close, evaluations).second;

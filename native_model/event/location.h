@@ -34,7 +34,7 @@ double locate_largest_force(std::size_t contact, SmoothStep& step, double last, 
 double locate_least_gap(const Model& model, std::size_t contact, SmoothStep& step, double last);
 
 // If the step is out of range (trajectory/range_check.h) at `last`: the instant at which it has
-// just left.
+// just left, 0 if it had left before.
 std::optional<double> locate_loss(const Model& model, SmoothStep& step, double last);
 
 }  // namespace rotorub

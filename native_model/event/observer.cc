@@ -10,6 +10,15 @@
 
 namespace rotorub {
 
+namespace {
+
+// A row up to `now` (s) that is earlier only by round-off is a row of that instant: 0.3 s is the
+// third multiple of a sample time of 0.1 s, which in floating point is later. Such a row waits for
+// arrive() and shows the state after an event or a sample there.
+double row_limit(double now) { return now * (1.0 - 1e-12); }
+
+}  // namespace
+
 Observer::Observer(const Model& model, const EventParameters& parameters, Phase& phase)
     : model_(&model),
       parameters_(&parameters),
@@ -124,7 +133,7 @@ void Observer::watch(const Motion& from, SmoothStep& step, Constraint& constrain
     of_contacts_[k].contact_time += now - from.t;
     if (model_->auxiliary[k].is_compliant()) watch_touch(k, step, last);
   }
-  for (double t = recorder_->next_time(); t < now; t = recorder_->next_time())
+  for (double t = recorder_->next_time(); t < row_limit(now); t = recorder_->next_time())
     recorder_->row(within(from, step, constraint, t));
   follow_mark(from, step, constraint, now);
   bins_until(now, closed.empty(), [&](std::span<const double> times, double* impulses) {

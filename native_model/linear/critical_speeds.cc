@@ -216,17 +216,28 @@ std::vector<double> critical_speeds(const WhirlSystem& system, double sense) {
                                    [](const WhirlFilm& film) { return film.law.follows(); });
   const bool crossed = !system.isotropic && crosses(system);
   if (!follows) return of_constant_springs(system, 0.0, crossed);
+  constexpr int kParts = 8;  // intervals between two points of a table
+  constexpr double kAccuracy = 1e-14;
+  const std::vector<double> points = table_speeds(system, sense);
+  const Eigen::Index each = crossed ? 2 : 1;
+  const Eigen::Index most = system.kept * (system.isotropic ? 1 : 2);
+  const std::optional<SpringCrossings> counts = counted(system, sense, points.back(), crossed);
   // A speed is critical if it equals the k-th critical speed of the springs at that speed. Beyond
   // the tables the springs are constant.
   std::map<double, std::vector<double>> known;  // cache: each k asks at many of the same speeds
   const auto at = [&](double speed) -> const std::vector<double>& {
     const auto [place, fresh] = known.try_emplace(speed);
-    if (fresh) place->second = of_constant_springs(system, sense * speed, crossed);
-    return place->second;
+    if (!fresh) return place->second;
+    std::vector<double>& all = place->second;
+    const auto frozen = counts ? counts->frozen(speed) : std::nullopt;
+    if (!frozen) return all = of_constant_springs(system, sense * speed, crossed);
+    for (Eigen::Index k = 0; k < most; ++k) {
+      const double critical = frozen->critical(each * k);
+      if (std::isinf(critical)) break;
+      all.push_back(critical);
+    }
+    return all;
   };
-  constexpr int kParts = 8;  // intervals between two points of a table
-  constexpr double kAccuracy = 1e-14;
-  const std::vector<double> points = table_speeds(system, sense);
   std::vector<double> all_found;
   // Search by the eigenvalues at each speed, where springs rise so fast that curves may be crossed
   // twice.
@@ -250,14 +261,10 @@ std::vector<double> critical_speeds(const WhirlSystem& system, double sense) {
       }
     }
   };
-  const std::optional<SpringCrossings> counts = counted(system, sense, points.back(), crossed);
-  const std::size_t each = crossed ? 2 : 1;
-  const auto most = static_cast<Eigen::Index>(system.kept * (system.isotropic ? 1 : 2)) *
-                    static_cast<Eigen::Index>(each);
   const auto count = [&](double begin, double end) {
     if (!counts || !counts->once_between(begin, end)) return false;
-    const std::vector<double> found =
-        once(counts->between(begin, end, most, kAccuracy * end), each);
+    const std::vector<double> found = once(
+        counts->between(begin, end, each * most, kAccuracy * end), static_cast<std::size_t>(each));
     all_found.insert(all_found.end(), found.begin(), found.end());
     return true;
   };
@@ -266,6 +273,8 @@ std::vector<double> critical_speeds(const WhirlSystem& system, double sense) {
   // near standstill has many such points, and its stiffness is not definite there.)
   const auto is_far_above = [&](double speed, double end) {
     constexpr double kFar = 4.0;
+    if (const auto frozen = counts ? counts->frozen(speed) : std::nullopt)
+      return frozen->below(kFar * end) == 0;
     const std::vector<double>& all = at(speed);
     return !all.empty() && all.front() > kFar * end;
   };

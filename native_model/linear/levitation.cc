@@ -140,28 +140,52 @@ Eigen::MatrixXcd LoopResponse::return_difference(double w) const {
   return Eigen::MatrixXcd::Identity(ports(), ports()) + g * controls(w);
 }
 
+MagneticPlant LoopResponse::plant() const {
+  const Eigen::Index half = parts_.mass.size();
+  const Eigen::VectorXd mobility = parts_.mass.cwiseInverse();
+  MagneticPlant p;
+  p.a = Eigen::MatrixXd::Zero(2 * half, 2 * half);
+  p.a.topRightCorner(half, half).setIdentity();
+  p.a.bottomLeftCorner(half, half) = -(mobility.asDiagonal() * parts_.stiffness);
+  p.a.bottomRightCorner(half, half) = -(mobility.asDiagonal() * parts_.damping);
+  p.b = Eigen::MatrixXd::Zero(2 * half, ports());
+  p.b.bottomRows(half) = mobility.asDiagonal() * into_;
+  p.c = Eigen::MatrixXd::Zero(ports(), 2 * half);
+  p.c.leftCols(half) = sensor_shapes_.transpose();
+  for (Eigen::Index j = 0; j < ports(); j += 2) p.bearings.push_back(bearing(j));
+  return p;
+}
+
 Eigen::MatrixXcd LoopResponse::sensitivity(double w) const {
   return lu_inverse(return_difference(w));
 }
 
-Levitation levitation(const Model& model, double speed) {
+Levitation levitation_poles(const Model& model, double speed) {
   Levitation out;
+  const Model m = always_working(model);
+  if (working_feedbacks(m).empty()) return out;
+  out.poles_refused = loop_refusal(m);
+  if (!out.poles_refused.empty()) return out;
+  if (const auto poles = loop_poles(linear_loop(m, speed))) {
+    out.poles = *poles;
+  } else {
+    out.poles_refused = "the eigenvalues do not converge";
+  }
+  return out;
+}
+
+Levitation levitation(const Model& model, double speed) {
+  Levitation out = levitation_poles(model, speed);
   const LoopResponse response(model, speed);
   if (response.ports() == 0) return out;
   const Model m = always_working(model);
-  out.poles_refused = loop_refusal(m);
   if (std::ranges::any_of(m.samplers, [](const auto& s) { return s.library != nullptr; }))
     return out;
   if (!m.samplers.empty()) out.sample_time = m.samplers.front().sample_time;
-  if (out.poles_refused.empty()) {
+  if (out.stable()) {
     const LinearLoop loop = linear_loop(m, speed);
-    const auto poles = loop_poles(loop);
-    if (poles) out.poles = *poles;
-    if (!poles) out.poles_refused = "the eigenvalues do not converge";
-    if (out.stable()) {
-      out.steps = step_responses(m, loop, out.poles);
-      out.unbalance = moved(m, loop, speed, response.sensor_shapes());
-    }
+    out.steps = step_responses(m, loop, out.poles);
+    out.unbalance = moved(m, loop, speed, response.sensor_shapes());
   }
   const std::vector<double> at = frequencies(m, out.poles);
   Eigen::MatrixXd sizes(response.ports(), static_cast<Eigen::Index>(at.size()));

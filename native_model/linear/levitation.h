@@ -52,8 +52,20 @@ struct Levitation {
   bool stable() const { return poles_refused.empty() && !poles.empty() && poles[0].real() < 0.0; }
 };
 
+// Only the poles, or the reason why there are none, at the spin speed `speed` (rad/s).
+Levitation levitation_poles(const Model& model, double speed);
+
 // Analysis at the spin speed `speed` (rad/s). The result has no loops if no feedback works.
 Levitation levitation(const Model& model, double speed);
+
+// The rotor between the controls of its magnetic bearings, x' = A x + B i, y = C x. x: modal
+// coordinates and their rates, 4 n; i: the coils' control currents (A); y: the deflections at the
+// sensors (m). Two ports for each bearing, x before y. The pull of the magnets is part of A,
+// amplifiers and controls are not.
+struct MagneticPlant {
+  Eigen::MatrixXd a, b, c;
+  std::vector<std::size_t> bearings;  // indices among the scene's magnetic bearings
+};
 
 // S at a frequency (rad/s, > 0) as a p x p matrix, with two ports for each working feedback, x
 // before y.
@@ -61,6 +73,7 @@ class LoopResponse {
  public:
   LoopResponse(const Model& model, double speed);
   Eigen::MatrixXcd sensitivity(double frequency) const;
+  MagneticPlant plant() const;
   // 1 + G H.
   Eigen::MatrixXcd return_difference(double frequency) const;
   Eigen::Index ports() const { return into_.cols(); }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -47,6 +48,46 @@ Eigen::Index SpringCrossings::negatives(const Eigen::ArrayXd& d, const Eigen::Ve
 
 Eigen::Index SpringCrossings::below(double speed) const {
   return negatives(1.0 - speed * speed * mu_, springs_(speed) - at_);
+}
+
+std::optional<SpringCrossings::Frozen> SpringCrossings::frozen(double speed) const {
+  Frozen all;
+  all.rotor_ = this;
+  all.f_ = springs_(speed) - at_;
+  all.held_ = negatives(Eigen::ArrayXd::Ones(mu_.size()), all.f_);
+  if (all.held_ == 0) return all;
+  // l from a ten thousandth of the lowest eigenvalue of the reference to far above the highest.
+  constexpr double kFirst = 1e-4, kRatio = 4.0;
+  constexpr int kShifts = 40;
+  double shift = kFirst / mu_.abs().maxCoeff();
+  for (int k = 0; k < kShifts; ++k, shift *= kRatio) {
+    if (negatives(1.0 + shift * mu_, all.f_) == 0) return all;
+  }
+  return std::nullopt;
+}
+
+Eigen::Index SpringCrossings::Frozen::below(double speed) const {
+  return rotor_->negatives(1.0 - speed * speed * rotor_->mu_, f_) - held_;
+}
+
+double SpringCrossings::Frozen::critical(Eigen::Index k) const {
+  constexpr double kHighest = 1e6;  // relative to the highest critical speed of the reference
+  const double first = rotor_->mu_.maxCoeff();
+  if (!(first > 0.0)) return std::numeric_limits<double>::infinity();
+  const Eigen::ArrayXd& mu = rotor_->mu_;
+  const double least = (mu > 0.0).select(mu, first).minCoeff();
+  double low = 0.0, high = 1.0 / std::sqrt(first);
+  while (below(high) <= k) {
+    low = high;
+    high *= 2.0;
+    if (!(high * high * least < kHighest * kHighest))
+      return std::numeric_limits<double>::infinity();
+  }
+  while (true) {
+    const double middle = 0.5 * (low + high);
+    if (middle <= low || middle >= high) return middle;
+    (below(middle) > k ? high : low) = middle;
+  }
 }
 
 bool SpringCrossings::once_between(double a, double b) const {

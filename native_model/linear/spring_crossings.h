@@ -13,6 +13,12 @@
 //
 // These matrices are small, and one decomposition serves all speeds; a search by eigenvalues at
 // each speed took 13 s for a mesh of 164 modes.
+//
+// If K(s) is not positive definite, the count still gives the critical speeds if D is for some
+// l < 0 in the place of s^2 (a definite pencil: P = K - l A > 0, and the eigenvalues of P^-1 A are
+// real). Then n(D) is the number of eigenvalues of K u = Omega^2 A u between l and s^2, and those
+// between l and 0 are n(K). Thin discs make A indefinite and an oil film near standstill makes K
+// indefinite, but hardly for the same motion.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,6 +32,21 @@ class SpringCrossings {
  public:
   using Springs = std::function<Eigen::VectorXd(double speed)>;  // r, F(s)
 
+  // The rotor with its springs frozen at one speed. Belongs to the SpringCrossings.
+  class Frozen {
+   public:
+    // Number of critical speeds below `speed`.
+    Eigen::Index below(double speed) const;
+    // The k-th critical speed, from 0, to round-off; infinite if there are fewer.
+    double critical(Eigen::Index k) const;
+
+   private:
+    friend class SpringCrossings;
+    const SpringCrossings* rotor_ = nullptr;
+    Eigen::VectorXd f_;
+    Eigen::Index held_ = 0;  // n(K)
+  };
+
   // stiffness: K(reference), N x N; inertia: A; shapes: U, N x r. Empty if K is not symmetric and
   // positive definite, since only then does the count give critical speeds.
   static std::optional<SpringCrossings> of(const Eigen::MatrixXd& stiffness,
@@ -35,6 +56,9 @@ class SpringCrossings {
 
   // Number of critical speeds below `speed` with the springs frozen at `speed`.
   Eigen::Index below(double speed) const;
+
+  // Empty if the count does not give the critical speeds.
+  std::optional<Frozen> frozen(double speed) const;
 
   // Whether each curve of a critical speed over the springs' speed is crossed at most once between
   // a and b, two neighbouring points of the tables, so that the counts at the ends are sufficient:

@@ -1,5 +1,6 @@
 #include "native_model/model/model.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -181,6 +182,21 @@ void fill_unbalances(const scene::Scene& scene, const ModalRotor& rotor, Model& 
   }
 }
 
+// Model::reach.
+double reach_of(const scene::Scene& scene) {
+  constexpr double kLengths = 10.0, kTimes = 100.0;
+  if (scene.rotor.geometry) return kLengths * scene.rotor.geometry->length;
+  double size = 0.0;  // m
+  for (const scene::AuxiliaryBearing& at : scene.auxiliary) {
+    if (at.contact)
+      size = std::max(size, at.contact->radius + at.contact->clearance + at.contact->offset.norm());
+  }
+  for (const scene::MagneticBearing& at : scene.magnetic_bearings) {
+    size = std::max(size, at.air_gap);
+  }
+  return size > 0.0 ? kTimes * size : Model{}.reach;
+}
+
 void fill_initial(const scene::Scene& scene, Model& model) {
   const Layout& l = model.layout;
   model.q0 = model.v0 = Eigen::VectorXd::Zero(l.nq());
@@ -263,6 +279,7 @@ Model make_model(const scene::Scene& scene, const std::function<void(Model&)>& s
   model.lines = std::move(rotor.lines);
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) fill_actuator(scene, k, model);
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) check_initial_ring(scene, k);
+  model.reach = reach_of(scene);
   fill_initial(scene, model);
   if (start) start(model);
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) check_initial_gap(scene, model, k);

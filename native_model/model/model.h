@@ -233,6 +233,11 @@ struct Model {
   AuxiliaryBearing& first() { return auxiliary.front(); }
   const AuxiliaryBearing& first() const { return auxiliary.front(); }
 
+  // m, a deflection that no rotor of this size can have: ten lengths of the shaft;
+  // for a rotor given by its modes a hundred times the radius at the contact or the air gap of a
+  // magnetic bearing, and 1 km if the scene gives neither.
+  double reach = 1e3;
+
   Eigen::VectorXd q0, v0;          // initial state
   std::optional<ModeLines> lines;  // deflection lines for drawing
 

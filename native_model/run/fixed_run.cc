@@ -235,7 +235,7 @@ class FixedRun {
   void advance(const StateAt& now, const FixedStep& done, double kick, bool impact) {
     note_contacts(now.t, done, kick, true);
     recorder_.advance(snapshot(now, done, kick, recorder_.row_due(now.t)), points_, impact);
-    if (const auto why = out_of_range(model_, now.q)) fail(Status::kOutOfRange, now.t, *why);
+    if (const auto why = out_of_range(model_, now.q, now.v)) fail(Status::kOutOfRange, now.t, *why);
   }
   // Notes events of rigid contacts and the episodes of compliant ones, which start after the run
   // has begun.

@@ -12,6 +12,11 @@ void Record::note(const std::string& path, const TomlNode& node, bool sound,
                   true,      node.items.size(), written == path ? std::string() : written};
 }
 
+void Record::move(std::string_view path, const FileName& from, const FileName& to) {
+  const auto found = marks_.find(path);
+  if (found != marks_.end() && found->second.file == from) found->second.file = to;
+}
+
 bool Record::given(std::string_view path) const {
   const auto found = marks_.find(path);
   return found != marks_.end() && found->second.given;

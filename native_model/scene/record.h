@@ -19,6 +19,8 @@ class Record {
   // used. written: the path with the key's other name, if the file uses that one.
   void note(const std::string& path, const TomlNode& node, bool sound,
             const std::string& written = {});
+  // Moves the key at `path` to the file `to` if it is in `from`.
+  void move(std::string_view path, const FileName& from, const FileName& to);
   // Records a required key that is missing.
   void note_missing(const std::string& path) { marks_[path] = {{}, 0, false, false}; }
 

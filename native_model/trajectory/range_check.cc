@@ -12,11 +12,34 @@ namespace {
 
 std::string text(double value) { return scene::number_text(value, 3); }
 
-constexpr double kNowhere = 1e5;  // m
+// Why the rotor has left, without the time, which the caller adds.
+std::string left(const Model& m) {
+  constexpr const char* kRotor = "the rotor has left, because ";
+  if (!m.feedbacks.empty())
+    return std::string(kRotor) +
+           "the magnetic bearings do not hold it (`rotorub modes` prints their poles)";
+  if (!m.has_contact()) return std::string(kRotor) + "there is no ring, and nothing else holds it";
+  return std::string(kRotor) +
+         "its motion grows without bound (`rotorub modes` says if it is unstable; a fixed step may "
+         "be too long)";
+}
+
+std::optional<std::string> rotor_out_of_range(const Model& m, const double* q, const double* v) {
+  for (int i = 0; i < 2 * m.layout.modes; ++i) {
+    if (std::abs(q[i]) >= m.reach) {
+      return left(m) + "; a bending mode is at " + text(q[i]) + " m, beyond " + text(m.reach) +
+             " m";
+    }
+    if (std::abs(v[i]) >= kFastestBending)
+      return left(m) + "; a bending mode moves at " + text(v[i]) + " m/s";
+  }
+  return {};
+}
 
 }  // namespace
 
-std::optional<std::string> out_of_range(const Model& m, const double* q, RingDepth limit) {
+std::optional<std::string> out_of_range(const Model& m, const double* q, const double* v,
+                                        RingDepth limit) {
   for (std::size_t k = 0; k < m.auxiliary.size(); ++k) {
     const AuxiliaryBearing& at = m.auxiliary[k];
     const auto ring = [&] {
@@ -52,17 +75,7 @@ std::optional<std::string> out_of_range(const Model& m, const double* q, RingDep
              ", with a clearance of " + text(clearance) + " m";
     }
   }
-  if (m.has_contact()) return {};
-  for (int i = 0; i < 2 * m.layout.modes; ++i) {
-    if (!(std::abs(q[i]) >= kNowhere)) continue;
-    // The caller adds the time.
-    const std::string why =
-        m.feedbacks.empty()
-            ? "there is no ring, and nothing else holds it"
-            : "the magnetic bearings do not hold it (`rotorub modes` prints their poles)";
-    return "the rotor has left, because " + why + "; a bending mode is at " + text(q[i]) + " m";
-  }
-  return {};
+  return rotor_out_of_range(m, q, v);
 }
 
 }  // namespace rotorub

@@ -33,7 +33,7 @@ void for_each_coupled(const mjModel* m, mjData* d, const ContactSpace& space, Ac
 
 std::string named(const mjModel* m, int type, int id, const std::string& kind) {
   const char* name = id < 0 ? nullptr : mj_id2name(m, type, id);
-  return name && *name ? kind + " " + name : kind + " number " + std::to_string(id);
+  return name && *name ? kind + " " + name : kind + " number " + std::to_string(id + 1);
 }
 
 std::string row_name(const mjModel* m, const mjData* d, int row) {

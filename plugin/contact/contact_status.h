@@ -14,11 +14,12 @@ namespace rotorub::plugin {
 
 // Bits of ContactEntries::status above the Status.
 enum ContactFlag : int {
-  kWasInside = 16,     // the rotor was within its clearance since its state was last written
-  kIsOutside = 32,     // it penetrates the wall although it was within its clearance
-  kEscapeWarned = 64,  // the user was warned of that
-  kInSolver = 128,     // only in the first contact: MuJoCo's solver solves a contact of the plugin
-  kSolverWarned = 256  // only in the first contact: the user was warned that the solver stopped
+  kWasInside = 16,      // the rotor was within its clearance since its state was last written
+  kIsOutside = 32,      // it penetrates the wall although it was within its clearance
+  kEscapeWarned = 64,   // the user was warned of that
+  kInSolver = 128,      // only in the first contact: MuJoCo's solver solves a contact of the plugin
+  kSolverWarned = 256,  // only in the first contact: the user was warned that the solver stopped
+  kStartWarned = 512    // the user was warned that the rotor starts far outside
 };
 
 // Reads and writes the number.
@@ -56,16 +57,30 @@ class ContactStatus {
   // Call it in every pass of a `rigid` contact whose impacts take no time. A rotor that was within
   // its clearance does not penetrate the wall by more than kDeep. If one does, the step is too long
   // for its motion, or something that the contact does not see moves rotor or ring. The user is
-  // warned once, and `rotorub_active` is 0 meanwhile. gap, clearance: m, time: s.
+  // warned once, and `rotorub_active` is 0 meanwhile. A rotor that starts in the wall is pushed out
+  // slowly; if it starts deeper than the clearance, the user is warned once. gap, clearance: m,
+  // time: s.
   void watch_escape(double gap, double clearance, double time) {
     constexpr double kDeep = 0.01;  // share of the clearance
     const bool inside = gap >= -kDeep * clearance;
     const bool escaped = !inside && has(kWasInside);
     set(kIsOutside, escaped);
     if (inside) set(kWasInside, true);
-    if (!escaped || has(kEscapeWarned)) return;
-    set(kEscapeWarned, true);
+    // MuJoCo takes a step at time 0 while it compiles a model, from which no run starts.
+    const bool starts_outside = time > 0.0 && !has(kWasInside) && gap < -clearance;
+    const ContactFlag warned = escaped ? kEscapeWarned : kStartWarned;
+    if (!(escaped || starts_outside) || has(warned)) return;
+    set(warned, true);
     const auto micrometres = [](double metres) { return std::round(1e7 * metres) / 10.0; };
+    if (starts_outside) {
+      warn(
+          message("rotorub: the rotor starts {} um outside its ring (clearance {} um) at t = {} s, "
+                  "and the contact only pushes it back slowly; start it in the ring, or check the "
+                  "positions of both geoms and the clearance",
+                  micrometres(-gap), micrometres(clearance), time)
+              .c_str());
+      return;
+    }
     warn(
         message("rotorub: the rotor is {} um deep in its ring (clearance {} um) at t = {} s; use a "
                 "shorter step, or check for forces that move rotor or ring apart from the "

@@ -6,6 +6,8 @@
 #include <mujoco/mujoco.h>
 
 #include <array>
+#include <atomic>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -87,6 +89,12 @@ struct ShadowConfig {
   int ghost_rotor = -1, ghost_ring = -1;                 // addresses in mjData.mocap_pos
 };
 
+// Warnings about the model (own/load_warnings.h), shared by its configs.
+struct LoadWarnings {
+  std::vector<std::string> texts;
+  std::atomic<bool> told{false};
+};
+
 struct Config {
   Model model;
 
@@ -122,6 +130,7 @@ struct Config {
   // Addresses of the sensors of a generated model as a whole.
   int active = -1, control_force = -1, current = -1;
   std::optional<ShadowConfig> shadow;
+  std::shared_ptr<LoadWarnings> warnings;  // null: none
 
   bool has_contact() const { return !pairs.empty(); }
   // The contact model of the first contact, and so of all contacts in a generated model; `rigid` if

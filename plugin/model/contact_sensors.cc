@@ -1,5 +1,7 @@
 #include "plugin/model/contact_sensors.h"
 
+#include <array>
+
 #include "mjcf/names.h"
 #include "plugin/model/later_attributes.h"
 #include "plugin/model/message.h"
@@ -32,6 +34,19 @@ int sensor_address(const mjModel* m, const std::string& name, int dim) {
   }
   check_sensor_attributes(m, id);
   return m->sensor_adr[id];
+}
+
+std::span<const char* const> contact_sensor_names() {
+  static constexpr std::array kAll{names::kActive,
+                                   names::kGap,
+                                   names::kGapRate,
+                                   names::kSlip,
+                                   names::kNormalForce,
+                                   names::kFrictionForce,
+                                   names::kGapScaled,
+                                   names::kNormalForceScaled,
+                                   names::kFrictionForceScaled};
+  return kAll;
 }
 
 SensorAddresses contact_sensors(const mjModel* m, const std::string& prefix,

@@ -1,6 +1,7 @@
 // Users' controllers on the command line, and settings that a control engineer needs.
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -54,6 +55,17 @@ TEST(CliController, OneThatCallsExitIsExit3) {
                                         "controller.config.at=0.002", "--set", "controller.on=0"}));
   EXPECT_EQ(done.code, 3) << done.err;
   EXPECT_TRUE(contains(done.err, "ended the program by calling exit()"));
+  EXPECT_FALSE(folder.has("out/summary.json"));
+}
+
+// A crash in a library ends the program by its signal, as it always did, but with the law's name.
+TEST(CliController, OneThatCrashesIsNamed) {
+  const Folder folder;
+  const Outcome done = folder.run(
+      run_with("faulty_controller.so", {"--set", "controller.config.fault=segmentation", "--set",
+                                        "controller.config.at=0.002", "--set", "controller.on=0"}));
+  EXPECT_EQ(done.code, 128 + SIGSEGV) << done.err;
+  EXPECT_TRUE(contains(done.err, "controller faulty (faulty_controller.so) has caused a fault"));
   EXPECT_FALSE(folder.has("out/summary.json"));
 }
 
@@ -148,10 +160,29 @@ TEST_F(CliPythonLaw, AnExceptionIsExit3WithItsTraceback) {
   }
 }
 
+// The text of a law that fails beside every contact model stands once on the terminal, and once on
+// standard error.
+TEST_F(CliPythonLaw, AnExceptionIsToldOnceInAComparison) {
+  write("raise ValueError('no gain is given')");
+  const Outcome done =
+      folder_.run(with_law({"compare", shipped("paper_sliding"), "--end", "5 ms", "--twins", "0",
+                            "--no-video", "--no-modes-ladder", "-o", "compared"}));
+  EXPECT_EQ(done.code, 3) << done.err;
+  const auto count = [](const std::string& text) {
+    std::size_t found = 0;
+    const std::string what = "no gain is given";
+    for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count(done.err), 1u) << done.err;
+  EXPECT_EQ(count(done.out), 1u) << done.out;
+  EXPECT_TRUE(contains(done.err, "native, rigid, "));
+}
+
 TEST_F(CliPythonLaw, AMistakeInTheFileIsExit2) {
   write("return 1.0 +");
   folder_.refuses(with_law({"run", shipped("paper_sliding")}),
-                  {"controller.library", "SyntaxError", "law.py:4)"});
+                  {"--controller", "SyntaxError", "law.py:4)"});
 }
 
 // The output of a law goes to standard error; standard output is for the results.
@@ -200,7 +231,7 @@ TEST(CliController, AStepThatDoesNotDivideTheSampleTimeIsRefused) {
 TEST(CliController, WhatCannotBeLoadedIsExit2) {
   const Folder folder;
   folder.refuses({"run", shipped("paper_sliding"), "--controller", "nowhere.so"}, {"nowhere.so"});
-  folder.refuses(run_with("other_abi_controller.so", {}), {"controller.library"});
+  folder.refuses(run_with("other_abi_controller.so", {}), {"rotorub run: --controller: "});
 }
 
 // A user's machine with a user's law.
@@ -295,6 +326,25 @@ TEST(CliModes, GivesThePlantOfAController) {
   EXPECT_EQ(plant.at("states")[4], "stator_x");
   EXPECT_EQ(plant.at("A")[10][4], -2e5 / 1.5) << "the ring's spring";
   EXPECT_EQ(plant.at("B")[10][0], 1.0 / 1.5);
+}
+
+// Without a ring that moves, the controls of magnetic bearings are designed with the plant.
+TEST(CliModes, GivesThePlantOfMagneticBearings) {
+  const Folder folder;
+  const std::string rotor =
+      "[rotor]\nspeed = \"1000 rpm\"\n[rotor.modal]\nmass = [2.0]\nstiffness = [0.0]\n";
+  folder.write("magnets.toml", rotor +
+                                   "[magnetic_bearing]\nnegative_stiffness = 1e5\n"
+                                   "[magnetic_bearing.control]\nforce_per_current = 80\n"
+                                   "proportional = 4000\nderivative = 2\n");
+  const json plant = folder.json_of({"modes", "magnets.toml", "--state-space"});
+  EXPECT_EQ(plant.at("inputs"), json({"bearing_current_x", "bearing_current_y"}));
+  EXPECT_EQ(plant.at("outputs"), json({"bearing_sensor_x", "bearing_sensor_y"}));
+  EXPECT_EQ(plant.at("states"), json({"x_1", "y_1", "vx_1", "vy_1"}));
+  EXPECT_EQ(plant.at("A")[2][0], 1e5 / 2.0) << "the magnets pull";
+  EXPECT_EQ(plant.at("B")[3][1], 80.0 / 2.0);
+  folder.write("nothing.toml", rotor);
+  folder.refuses({"modes", "nothing.toml", "--state-space"}, {"a ring that moves", "magnetic"});
 }
 
 // A further ring that cannot move changes nothing, at any place in the list.

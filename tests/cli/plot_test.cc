@@ -31,6 +31,13 @@ TEST(CliPlot, HasTheShadowBesideARunOfMujoco) {
   EXPECT_TRUE(contains(page, {"\"label\":\"cone\"", "\"label\":\"shadow\""}));
 }
 
+TEST(CliPlot, ShowsItsProgress) {
+  const Folder folder;
+  folder.done({"run", shipped("bench_ring"), "--end", "0.001", "-o", "out"});
+  EXPECT_TRUE(contains(folder.done({"plot", "out"}, {{{"ROTORUB_PROGRESS", "lines"}}}).err,
+                       "0 %  reading the run"));
+}
+
 TEST(CliPlot, RefusesWhatIsNoRun) {
   const Folder folder;
   folder.refuses({"plot"});

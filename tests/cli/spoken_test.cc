@@ -80,5 +80,14 @@ TEST(CliSpoken, NamesOfRossAreTranslated) {
   EXPECT_EQ(refused.err.find(said), refused.err.rfind(said)) << refused.err;
 }
 
+// A path with a blank is in quotes in the next command, which can be copied.
+TEST(CliSpoken, QuotesAPathInTheNextCommand) {
+  const Folder folder;
+  EXPECT_TRUE(contains(folder.done({"init", "my rotor"}).out, "try: rotorub run 'my rotor.toml'"));
+  EXPECT_TRUE(contains(folder.done({"init", "my rig", "--form", "controller"}).out,
+                       {"-I 'my rig_controller' 'my rig_controller/follow.c' -o follow.so",
+                        "rotorub run 'my rig.toml' --controller follow.so"}));
+}
+
 }  // namespace
 }  // namespace rotorub::test

@@ -76,6 +76,24 @@ TEST(CliTune, ThePrintedNextCommandRuns) {
   EXPECT_LE(judged.code, 1) << judged.err;
 }
 
+// The next command has the file in quotes, and a scene in another folder finds its library.
+TEST(CliTune, WritesToAnotherFolderWithABlankInItsName) {
+  const Folder folder;
+  std::filesystem::copy_file(std::string(ROTORUB_LIBRARIES) + "/own_controller.so",
+                             folder.path() / "law.so");
+  const std::string ring = read_text(shipped("bench_ring"));
+  folder.write("ring.toml", ring +
+                                "\n[controller]  # my own\nkind = \"library\"\nlibrary = "
+                                "\"law.so\"\nsample_time = 5e-5\n");
+  const Outcome tuned =
+      folder.done({"tune", "ring.toml", "--allow-library", "--end", "5ms", "--steps", "50us,10us",
+                   "--tolerance", "100%", "--twins", "0", "-o", "my rigs/tuned.toml"});
+  EXPECT_TRUE(contains(tuned.out, "rotorub compare 'my rigs/tuned.toml' --contact "));
+  EXPECT_TRUE(contains(folder.text("my rigs/tuned.toml"),
+                       "library = \"" + (folder.path() / "law.so").string() + "\""));
+  folder.done({"run", "my rigs/tuned.toml", "--allow-library", "--end", "1ms", "-q", "-o", "out"});
+}
+
 // The report recommends `tune` with the options of its comparison.
 TEST(CliTune, TheReportNamesItWithTheOptionsOfTheComparison) {
   const Folder folder;

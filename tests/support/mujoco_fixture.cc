@@ -5,6 +5,7 @@
 #include <cinttypes>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <stdexcept>
 
@@ -17,7 +18,10 @@ namespace rotorub::test {
 namespace {
 
 void on_error(const char* message) { throw std::runtime_error(message); }
-void on_warning(const char* message) { ADD_FAILURE() << "MuJoCo warns: " << message; }
+// Many tests try named pairs with MuJoCo's default, the pyramid, on purpose.
+void on_warning(const char* message) {
+  if (!std::strstr(message, "cone=\"elliptic\"")) ADD_FAILURE() << "MuJoCo warns: " << message;
+}
 
 }  // namespace
 

@@ -1,4 +1,5 @@
-// MuJoCo in tests: a warning fails the test, and an error is thrown.
+// MuJoCo in tests: a warning fails the test, except the warning of the pyramidal cone, and an error
+// is thrown.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -84,6 +84,7 @@ class PeerRecord {
   }
 
   const double* q() const { return q_.data(); }
+  const double* v() const { return v_.data(); }
   Trajectory finish(const RunEnd& end) {
     if (soft_) episodes_.finish();
     return recorder_.finish(end);
@@ -174,7 +175,7 @@ Trajectory PeerEngine::run(const scene::Scene& given, const RunRequest& request)
         break;
       }
       record.step(k, done);
-      if (const auto why = out_of_range(model, record.q())) {
+      if (const auto why = out_of_range(model, record.q(), record.v())) {
         status = Status::kOutOfRange;
         message = *why;
       }

@@ -95,6 +95,15 @@ TEST(ModesTable, BeginsWithTheAnswers) {
   EXPECT_TRUE(test::contains(first_lines(), "% (AF "));
 }
 
+TEST(ModesTable, SaysThatCriticalSpeedsOnOilFilmsAreUndamped) {
+  scene::Scene s = scene::parse_scene(starter_scene({}), "pump.toml", {});
+  const auto answer = [&] { return result::text_of(modes_result("pump", analyse_rotor(s, {}))); };
+  EXPECT_EQ(answer().find("(forward, undamped)"), std::string::npos);
+  for (scene::ShaftBearing& bearing : s.rotor.geometry->bearings)
+    bearing.cross_damping = {5.0, 5.0};
+  EXPECT_TRUE(test::contains(answer(), "undamped)"));
+}
+
 TEST(ModesTable, WritesLongNumbersInGroups) {
   EXPECT_EQ(grouped(169987.0), "170,000");
   EXPECT_EQ(grouped(-41846.01), "-41,850");

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "native_model/scene/reader.h"
 #include "tests/support/said.h"
@@ -188,6 +191,36 @@ TEST(Doubts, NameEnergyThatDoesNotAddUp) {
   EXPECT_TRUE(only(doubts(scene, run)).starts_with("energy balance"));
   run.engine = "mujoco";
   EXPECT_TRUE(doubts(scene, run).empty()) << "its soft contacts have an energy of their own";
+}
+
+// A run that such a loop ended says which motion grows, and so does one that it has not ended yet.
+TEST(Doubts, NameAnUnstableLoopThatARunShows) {
+  const auto of = [](const std::string& gain, Status status, double first_touch) {
+    const auto scene = scene_with("\"50 Hz\"",
+                                  "clearance = \"0.5 mm\"\nfriction = 0.15\n"
+                                  "[magnetic_bearing]\nnegative_stiffness = 1e6\n"
+                                  "[magnetic_bearing.control]\nforce_per_current = 80\n"
+                                  "derivative = 2\nproportional = " +
+                                      gain);
+    Trajectory run;
+    run.engine = "native";
+    run.end = 0.1;
+    run.status = status;
+    run.statistics.first_touch = first_touch;
+    return doubts(scene, run);
+  };
+  for (const auto& [status, touch] :
+       {std::pair(Status::kOutOfRange, 0.01), std::pair(Status::kNoSolution, 0.01),
+        std::pair(Status::kOk, -1.0)}) {
+    const std::string doubt = only(of("100", status, touch));
+    EXPECT_TRUE(
+        doubt.starts_with("The closed loop of the magnetic bearings is unstable at 3000 "
+                          "rpm: a motion without oscillation grows at "))
+        << doubt;
+    EXPECT_NE(doubt.find("`rotorub modes`"), std::string::npos) << doubt;
+    EXPECT_TRUE(of("20000", status, touch).empty()) << "stable";
+  }
+  EXPECT_TRUE(of("100", Status::kOk, 0.01).empty()) << "it rubs, and its summary shows that";
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ TEST_F(StoreTest, RowsComeInTheOrderOfTheStudyToTheLastBit) {
             "point,contact.friction,status,reason,end,steps,first_touch,impacts,contact_fraction,"
             "mean_force,peak_force,impulse_total,attractor,contact_share,whirl_frequency,"
             "spin_speed,peak_impulse,friction_work,max_penetration,energy_residual,"
-            "forward_passes,backward_passes,whirl_time");
+            "forward_passes,backward_passes,whirl_time,hard_impacts,lasting_fraction");
   EXPECT_NE(text.find("\n0,0.1,ok,,0,0,,0,0,1e-300,"), std::string::npos) << text;
   EXPECT_NE(text.find(",0.3333333333333333,"), std::string::npos);
   EXPECT_NE(text.find("\n2,0.3,diverged,\"a \"\"comma\"\", and more\",,,"), std::string::npos);

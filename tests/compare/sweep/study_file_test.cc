@@ -47,6 +47,17 @@ TEST(Study, TakesTheNamesOfTheUsersLaw) {
   EXPECT_EQ(folder.refusal(of_ring() + "[sample]\nkind = \"grid\"\n" + range + "count = 3\n"), "");
 }
 
+// The last part of such a key is the user's own, so only the rest can be misspelt.
+TEST(Study, SuggestsTheTableOfAUsersOwnParameter) {
+  const StudyFolder folder;
+  for (const auto& [key, meant] :
+       {std::pair("controller.confg.P", "controller.config.P"),
+        std::pair("magnetic_controll.config.gain", "magnetic_control.config.gain")}) {
+    EXPECT_TRUE(contains(folder.refusal(of_ring() + sampled("grid", {{key, "[1, 2]"}})),
+                         std::string("did you mean `") + meant + "`?"));
+  }
+}
+
 TEST(Study, QuantitiesAreInTheUnitOfTheirKey) {
   const StudyFolder folder;
   const Study study =

@@ -312,6 +312,33 @@ TEST(EmulatedSupport, ActsWithoutAContactToo) {
   EXPECT_LT((u - Eigen::Vector2d(-50.0, 100.0)).norm(), 1e-12);
 }
 
+// A row at the instant of a sample shows the command after it, although 3 * 0.1 is later than 0.3.
+TEST(SampledController, RowsAtASampleShowTheCommandAfterIt) {
+  scene::Scene s = emulating();
+  s.first().contact.reset();
+  s.forces.clear();
+  s.rotor.speed = 0.0;
+  s.first().stator->stiffness = {100.0, 100.0};
+  s.first().stator->damping = {0.1, 0.1};
+  s.first().stator->position = {1e-3, -5e-4};
+  s.first().controller->stiffness = 20.0;
+  s.first().controller->sample_time = 0.1;
+  s.run.end = 1.0;
+  s.run.output_step = 1.0;
+  const std::vector<double> samples{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
+  for (const double t : samples) s.run.output_times.insert(s.run.output_times.end(), {t, t + 0.05});
+  for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kVerlet}) {
+    SCOPED_TRACE(integrator == scene::Integrator::kEvent ? "event" : "verlet");
+    const Trajectory t = test::run_with(s, integrator, 1e-4);
+    const std::vector<double>& force = t.column("control_x");
+    for (const double at : samples) {
+      const std::size_t row = test::row_of(t, at), later = test::row_of(t, at + 0.05);
+      EXPECT_EQ(force[row], force[later]) << at;
+      EXPECT_NE(force[row], force[row - 1]) << at;
+    }
+  }
+}
+
 TEST(SlidingController, LastingContactCarriesThePreload) {
   // Ring 1.5 kg and rotor 2 kg move as one, whatever the orbit. The free orbit, 1.6 mm, is past the
   // clearance.

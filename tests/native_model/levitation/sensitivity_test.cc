@@ -302,5 +302,19 @@ TEST(Levitation, WithoutALoopSaysNothing) {
   EXPECT_EQ(levitation(prepare(s), 0.0).loops.size(), 2u);
 }
 
+// With i = -(P y + D y') the plant between the controls has the poles of the loop.
+TEST(Levitation, PlantClosesToTheLoop) {
+  const Model m = prepare(hung({.proportional = kStiff, .derivative = kDamps}));
+  const MagneticPlant open = LoopResponse(m, 120.0).plant();
+  ASSERT_EQ(open.b.cols(), 2);
+  const Eigen::MatrixXd closed = open.a - open.b * (kStiff * open.c + kDamps * open.c * open.a);
+  const auto poles = real_eigenvalues(closed);
+  ASSERT_TRUE(poles);
+  const Levitation loop = levitation(m, 120.0);
+  ASSERT_EQ(poles->size(), loop.poles.size());
+  for (std::size_t k = 0; k < poles->size(); ++k)
+    EXPECT_LT(relative((*poles)[k], loop.poles[k]), 1e-9);
+}
+
 }  // namespace
 }  // namespace rotorub

@@ -6,12 +6,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <complex>
 #include <optional>
 #include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "native_model/linear/campbell.h"
 #include "native_model/numerics/eigenvalues.h"
+#include "native_model/numerics/linear_solve.h"
 #include "tests/native_model/rotor/rotors.h"
 
 namespace rotorub {
@@ -82,6 +86,50 @@ TEST(SpringCrossings, LieWhereTheDynamicStiffnessIsSingular) {
     }
   }
   EXPECT_GT(found, 40);
+}
+
+// All positive s with K(at) u = s^2 A u, and whether all eigenvalues are real.
+std::pair<std::vector<double>, bool> frozen_by_eigenvalues(const Problem& p, double at) {
+  const auto values = real_eigenvalues(full_lu_solve(p.A, p.stiffness(at)));
+  std::vector<double> speeds;
+  bool real = true;
+  for (const std::complex<double>& square : *values) {
+    real = real && std::abs(square.imag()) <= 1e-9 * std::abs(square);
+    if (real && square.real() > 0.0) speeds.push_back(std::sqrt(square.real()));
+  }
+  std::ranges::sort(speeds);
+  return {speeds, real};
+}
+
+// Also where the springs pull so strongly that K is indefinite, and A is anyway.
+TEST(SpringCrossings, FrozenSpringsHaveTheirEigenvalues) {
+  constexpr double kIndefinite = 400.0;
+  int indefinite = 0, left = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    const Problem p = random_problem(seed);
+    const auto counts = p.counts();
+    for (const double at : {0.1, 3.0, kIndefinite}) {
+      SCOPED_TRACE(std::to_string(seed) + " at " + std::to_string(at));
+      const auto frozen = counts->frozen(at);
+      const auto [speeds, real] = frozen_by_eigenvalues(p, at);
+      const bool definite = symmetric_eigenvalues(p.stiffness(at))->minCoeff() > 0.0;
+      if (!frozen) {
+        EXPECT_FALSE(definite);
+        ++left;
+        continue;
+      }
+      indefinite += definite ? 0 : 1;
+      ASSERT_TRUE(real);
+      for (std::size_t k = 0; k < speeds.size(); ++k) {
+        const auto index = static_cast<Eigen::Index>(k);
+        EXPECT_NEAR(frozen->critical(index), speeds[k], 1e-9 * speeds[k]);
+        EXPECT_EQ(frozen->below(speeds[k] * (1.0 + 1e-7)), index + 1);
+      }
+      EXPECT_TRUE(std::isinf(frozen->critical(static_cast<Eigen::Index>(speeds.size()))));
+    }
+  }
+  EXPECT_GT(indefinite, 5);
+  EXPECT_GT(left, 0) << "some pencils are not definite";
 }
 
 // k = s^2 and k = s^2.5 of a mass of 1: counts at the ends do not reveal the crossing.

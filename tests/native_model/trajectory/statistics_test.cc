@@ -14,6 +14,8 @@
 #include "native_model/trajectory/recorder.h"
 #include "tests/native_model/hard/rules.h"
 #include "tests/support/jeffcott.h"
+#include "tests/support/levitated_shaft.h"
+#include "tests/support/native_run.h"
 #include "tests/support/trapezoid_balance.h"
 
 namespace rotorub {
@@ -189,15 +191,16 @@ scene::Scene in_magnets() {
 
 TEST(RangeCheck, OfTheRingIsTheAirGapOnEitherAxis) {
   const Model model = prepare(in_magnets());
-  Eigen::VectorXd q = Eigen::VectorXd::Zero(model.nq());
+  const Eigen::VectorXd v = Eigen::VectorXd::Zero(model.nq());
+  Eigen::VectorXd q = v;
   const int ring = model.layout.ring();
   for (const Eigen::Vector2d& axis : {Eigen::Vector2d(1.0, 0.0), Eigen::Vector2d(0.0, -1.0)}) {
     q.segment(ring, 2) = from_axes(0.99 * kAirGap * axis);
     q.head(2) = q.segment(ring, 2);  // the rotor in its middle
-    EXPECT_FALSE(out_of_range(model, q.data()));
+    EXPECT_FALSE(out_of_range(model, q.data(), v.data()));
     q.segment(ring, 2) = from_axes(1.01 * kAirGap * axis);
     q.head(2) = q.segment(ring, 2);
-    const auto reason = out_of_range(model, q.data());
+    const auto reason = out_of_range(model, q.data(), v.data());
     ASSERT_TRUE(reason);
     EXPECT_NE(reason->find("air gap"), std::string::npos) << *reason;
   }
@@ -205,11 +208,12 @@ TEST(RangeCheck, OfTheRingIsTheAirGapOnEitherAxis) {
 
 TEST(RangeCheck, OfTheRotorIsTwiceTheClearance) {
   const Model model = prepare(test::make_scene({.clearance = 0.5e-3}));
-  Eigen::VectorXd q = Eigen::VectorXd::Zero(model.nq());
+  const Eigen::VectorXd v = Eigen::VectorXd::Zero(model.nq());
+  Eigen::VectorXd q = v;
   q[0] = 0.99e-3;
-  EXPECT_FALSE(out_of_range(model, q.data()));
+  EXPECT_FALSE(out_of_range(model, q.data(), v.data()));
   q[0] = -1.01e-3;
-  const auto reason = out_of_range(model, q.data());
+  const auto reason = out_of_range(model, q.data(), v.data());
   ASSERT_TRUE(reason);
   EXPECT_NE(reason->find("clearance"), std::string::npos) << *reason;
 }
@@ -222,14 +226,50 @@ TEST(RangeCheck, OfASoftRingIsItsOwnThickness) {
   for (const char* order : {"thin ring first", "thick ring first"}) {
     SCOPED_TRACE(order);
     const Model model = prepare(scene);
-    Eigen::VectorXd q = Eigen::VectorXd::Zero(model.nq());
+    const Eigen::VectorXd v = Eigen::VectorXd::Zero(model.nq());
+    Eigen::VectorXd q = v;
     q[0] = 5.4e-3;
-    EXPECT_FALSE(out_of_range(model, q.data(), RingDepth::kThickness));
-    EXPECT_TRUE(out_of_range(model, q.data())) << "a rigid ring holds up to its clearance";
+    EXPECT_FALSE(out_of_range(model, q.data(), v.data(), RingDepth::kThickness));
+    EXPECT_TRUE(out_of_range(model, q.data(), v.data()))
+        << "a rigid ring holds up to its clearance";
     q[0] = 5.6e-3;
-    EXPECT_TRUE(out_of_range(model, q.data(), RingDepth::kThickness));
+    EXPECT_TRUE(out_of_range(model, q.data(), v.data(), RingDepth::kThickness));
     std::swap(scene.auxiliary[0], scene.auxiliary[1]);
   }
+}
+
+// A shaft that only magnets hold, and whose ring is a pivot: one end flies off around it.
+TEST(RangeCheck, OfAShaftIsTenTimesItsLength) {
+  const scene::Scene scene = test::held_shaft(R"(
+[[magnetic_bearing]]
+station = 0.05
+negative_stiffness = 1e6
+[magnetic_bearing.control]
+force_per_current = 80
+proportional = 100
+)");
+  EXPECT_DOUBLE_EQ(prepare(scene).reach, 6.0);
+  for (const Trajectory& t :
+       {test::attempt_event(scene), test::attempt_with(scene, scene::Integrator::kVerlet)}) {
+    SCOPED_TRACE(t.integrator);
+    EXPECT_EQ(t.status, Status::kOutOfRange);
+    EXPECT_NE(t.message.find("the magnetic bearings do not hold it (`rotorub modes`"),
+              std::string::npos)
+        << t.message;
+  }
+}
+
+// A law of the wrong sign adds energy while the ring holds the rotor.
+TEST(RangeCheck, OfASpeedBelongsToAnyRotor) {
+  const Model model = prepare(test::make_scene({.clearance = 0.5e-3}));
+  const Eigen::VectorXd q = Eigen::VectorXd::Zero(model.nq());
+  Eigen::VectorXd v = q;
+  v[1] = -0.99 * kFastestBending;
+  EXPECT_FALSE(out_of_range(model, q.data(), v.data()));
+  v[1] = -1.01 * kFastestBending;
+  const auto reason = out_of_range(model, q.data(), v.data());
+  ASSERT_TRUE(reason);
+  EXPECT_NE(reason->find("moves at"), std::string::npos) << *reason;
 }
 
 }  // namespace

@@ -51,6 +51,26 @@ TEST(ContactStatus, TellsOnceAndKnowsStarts) {
   mju_user_warning = before;
 }
 
+TEST(ContactStatus, TellsOnceOfAStartFarOutside) {
+  mjtNum status = 0.0;
+  plugin::ContactStatus guard(status);
+  void (*const before)(const char*) = mju_user_warning;
+  mju_user_warning = count_escape;
+  escapes = 0;
+  guard.watch_escape(-6e-4, 5e-4, 0.0);
+  EXPECT_EQ(escapes, 0) << "a step of MuJoCo's compiler";
+  guard.watch_escape(-4e-4, 5e-4, 0.05);
+  EXPECT_EQ(escapes, 0) << "in the wall";
+  for (int k = 0; k < 3; ++k) guard.watch_escape(-6e-4, 5e-4, 0.1);
+  EXPECT_EQ(escapes, 1);
+  EXPECT_NE(last_escape.find("starts 600 um outside its ring"), std::string::npos) << last_escape;
+  EXPECT_FALSE(guard.has(plugin::kIsOutside));
+  guard.watch_escape(1e-5, 5e-4, 0.2);
+  guard.watch_escape(-6e-4, 5e-4, 0.3);
+  EXPECT_EQ(escapes, 2) << "an escape is another fault";
+  mju_user_warning = before;
+}
+
 // A rotor that is moved during the run in a way that no force does.
 TEST_F(Escape, OfAModelOfOnesOwn) {
   const ModelPointer m = load(replaced(document(Machine{}), "<sensor>", R"(<sensor>

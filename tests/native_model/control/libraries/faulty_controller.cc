@@ -58,6 +58,7 @@ int step(const void* self, const rotorub_measurement* now, double* state, double
   if (law.fault == "nan") command[1] = std::nan("");
   if (law.fault == "nan state") state[2] = INFINITY;
   if (law.fault == "exit") std::exit(0);
+  if (law.fault == "segmentation") *static_cast<volatile double*>(nullptr) = 0.0;
   if (law.fault == "throw") throw std::runtime_error("thrown in step");
   if (law.fault == "throw a number") throw 7;
   return 0;
