@@ -264,10 +264,14 @@ Command add_sweep_command(CLI::App& program) {
             "DIR/point-N; may be repeated")
       .repeats()
       .between(0, sweep::kMostPoints);
-  add_flag(
+  const Option diagram = add_flag(
       app, "--bifurcation", options->bifurcation,
       "Also draw a bifurcation diagram, with periods and Lyapunov exponents, over the only key "
       "of the study, upwards and downwards; each run starts where the previous one ended");
+  add_flag(app, "--branches", options->branches,
+           "Also draw the branches of periodic motions in the bifurcation diagram, stable and "
+           "unstable, as `modes --periodic --across` finds them")
+      .needs(diagram);
   add_controller_option(app, *options);
   add_common_options(app, *options);
   return {&app, [options] { return sweep_study(*options); }};

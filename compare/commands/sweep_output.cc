@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "compare/base/columns.h"
 #include "compare/commands/terminal.h"
@@ -17,6 +18,7 @@
 #include "compare/run_files/summary.h"
 #include "compare/sweep/bifurcation.h"
 #include "compare/sweep/group_statistics.h"
+#include "compare/sweep/motion_branches.h"
 #include "compare/sweep/page_data.h"
 #include "compare/sweep/point_result.h"
 #include "compare/sweep/point_run.h"
@@ -41,7 +43,16 @@ nlohmann::json bifurcation_of(const SweepArguments& options, const Sweep& sweep)
       *sweep.scenes, &interrupted(), [&](double share) { bar.show(share, "bifurcation diagram"); });
   bar.clear();
   if (!diagram) throw Interrupted();
-  nlohmann::json data = bifurcation_data(sweep.study, sweep.scenes->sample(), *diagram);
+  std::optional<sweep::MotionBranches> branches;
+  if (options.branches) {
+    ProgressBar search(options.quiet);
+    branches = sweep::motion_branches(*sweep.scenes, &interrupted(), [&](double share) {
+      search.show(share, "branches of periodic motions");
+    });
+    search.clear();
+    if (interrupted()) throw Interrupted();
+  }
+  nlohmann::json data = bifurcation_data(sweep.study, sweep.scenes->sample(), *diagram, branches);
   write_whole(file, data.dump());
   return data;
 }

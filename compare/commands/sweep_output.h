@@ -19,7 +19,7 @@ namespace rotorub {
 struct SweepArguments : CommonOptions {
   std::string study, folder, shard;
   int jobs = 0, tasks = 0;  // 0 if not given
-  bool slurm = false, bifurcation = false;
+  bool slurm = false, bifurcation = false, branches = false;
   std::vector<std::string> merge;
   std::vector<std::int64_t> points;  // their runs are saved
 };

@@ -11,6 +11,7 @@
 #include "compare/base/in_parallel.h"
 #include "native_model/periodic/forcing.h"
 #include "native_model/periodic/guesses.h"
+#include "native_model/periodic/period_doubling.h"
 #include "native_model/prepare/prepare.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/scene/diagnostic.h"
@@ -19,26 +20,17 @@ namespace rotorub {
 namespace {
 
 using periodic::Branch, periodic::ContinuationParameters, periodic::PeriodicMotion;
+using periodic::PointKind;
 
 constexpr double kOfRange = 0.5;  // unit of the key in the arclength, relative to its range
+constexpr int kLeastPoints = 10;  // of a branch in one direction
 
-// The scenes of a study of one or two keys.
+// The models of a study of one or two keys.
 class Machines {
  public:
-  Machines(const scene::Variants& scenes, const MapAxis& across, const std::optional<MapAxis>& up)
-      : scenes_(&scenes),
-        across_(across.key),
-        up_(up ? up->key : ""),
-        speed_(scenes.scene({}, false).rotor.speed) {}
+  explicit Machines(const SceneAt& scene_at) : scene_at_(&scene_at) {}
 
-  scene::Scene scene(double value, double up) const {
-    std::vector<std::string> changes{fmt::format("{}={}", across_, value)};
-    if (!up_.empty()) changes.push_back(fmt::format("{}={}", up_, up));
-    scene::Scene scene = scenes_->scene(changes, false);
-    if (across_ != kSpeedKey && up_ != kSpeedKey) return scene;
-    for (scene::Force& force : scene.forces) force.frequency *= scene.rotor.speed / speed_;
-    return scene;
-  }
+  scene::Scene scene(double value, double up) const { return (*scene_at_)(value, up); }
   // Without the start, which need not fit: a branch has its own.
   scene::Scene unstarted(double value, double up) const {
     scene::Scene own = scene(value, up);
@@ -57,9 +49,7 @@ class Machines {
   }
 
  private:
-  const scene::Variants* scenes_;
-  std::string across_, up_;
-  double speed_;
+  const SceneAt* scene_at_;
 };
 
 // The rubs to which runs settle at one value; `error` is set if the scene is refused there.
@@ -106,18 +96,21 @@ class Diagram {
     for (std::size_t k = down.points.size(); k-- > 1;) {
       branch.points.push_back(described(down.points[k], rub.settled.order));
     }
-    branch.points.push_back({value, periodic::PointKind::kRegular, rub});
+    branch.points.push_back({value, PointKind::kRegular, rub});
     for (std::size_t k = 1; k < up.points.size(); ++k) {
       branch.points.push_back(described(up.points[k], rub.settled.order));
     }
     branches_.push_back(std::move(branch));
+    add_doubled(branches_.size() - 1, options_->most_doublings);
+    name_origins();
   }
 
   // Searches the motions of a neighbouring diagram here.
   void carry_over(const std::vector<RubBranch>& beside, const std::string& start) {
     for (const RubBranch& branch : beside) {
       const auto from = std::ranges::find(branch.points, branch.from, &RubOnBranch::value);
-      if (from == branch.points.end()) continue;
+      // Branches of twice the period are found from the others.
+      if (from == branch.points.end() || from->point == PointKind::kPeriodDoubling) continue;
       const PeriodicMotion& old = from->rub.settled.motion;
       const Model model = machines_->model(from->value, up_);
       const periodic::Forcing forcing = periodic::forcing_of(model);
@@ -142,20 +135,78 @@ class Diagram {
   const std::vector<RubBranch>& branches() const { return branches_; }
 
  private:
+  // Follows the branches of twice the period that begin on a branch, and then those on them.
+  void add_doubled(std::size_t of, int deep) {
+    for (std::size_t k = 0; deep > 0 && k < branches_[of].points.size(); ++k) {
+      if (options_->interrupt && *options_->interrupt) return;
+      const RubOnBranch& at = branches_[of].points[k];
+      if (!begins_another(at) || begun_at(at)) continue;
+      const PeriodicMotion& motion = at.rub.settled.motion;
+      ContinuationParameters parameters = parameters_from(at.value, motion, 1.0);
+      parameters.most_points = std::max(kLeastPoints, parameters.most_points / 2);
+      const Branch found =
+          periodic::continue_doubled([this](double x) { return machines_->model(x, up_); },
+                                     {at.point, at.value, motion}, parameters);
+      if (found.points.size() < 2) continue;
+      RubBranch branch{up_,       at.value, {"a period doubling"}, {}, periodic::kAtDoubling,
+                       found.end, {}};
+      const int order = 2 * at.rub.settled.order;
+      for (const periodic::BranchPoint& point : found.points)
+        branch.points.push_back(described(point, order));
+      branches_.push_back(std::move(branch));
+      add_doubled(branches_.size() - 1, deep - 1);
+    }
+  }
+
+  // True if a branch of twice the period begins there.
+  static bool begins_another(const RubOnBranch& at) {
+    return at.point == PointKind::kPeriodDoubling && periodic::flips(at.rub.settled.motion);
+  }
+
+  // A branch of twice the period that begins or ends at a period doubling; null if none is known.
+  RubBranch* begun_at(const RubOnBranch& doubling) {
+    constexpr double kSame = 1e-5;
+    const double period = 2.0 * doubling.rub.settled.motion.period;
+    const auto is_it = [&](const RubOnBranch& end) {
+      return end.point == PointKind::kPeriodDoubling && !begins_another(end) &&
+             std::abs(end.value - doubling.value) <= kSame * (high_ - low_) &&
+             std::abs(end.rub.settled.motion.period - period) <= kSame * period;
+    };
+    const auto found = std::ranges::find_if(branches_, [&](const RubBranch& branch) {
+      return is_it(branch.points.front()) || is_it(branch.points.back());
+    });
+    return found == branches_.end() ? nullptr : &*found;
+  }
+
+  void name_origins() {
+    for (std::size_t k = 0; k < branches_.size(); ++k) {
+      for (const RubOnBranch& at : branches_[k].points) {
+        RubBranch* begun = begins_another(at) ? begun_at(at) : nullptr;
+        if (begun && !begun->origin) begun->origin = {k, at.value};
+      }
+    }
+  }
+
   Branch continued(double value, const PeriodicRub& rub, double direction) const {
+    return periodic::continue_branch([this](double at) { return machines_->model(at, up_); }, value,
+                                     rub.settled.motion,
+                                     parameters_from(value, rub.settled.motion, direction));
+  }
+
+  ContinuationParameters parameters_from(double value, const PeriodicMotion& motion,
+                                         double direction) const {
     ContinuationParameters parameters;
     parameters.lowest = low_;
     parameters.highest = high_;
     parameters.scale = kOfRange * (high_ - low_);
     parameters.direction = direction;
     parameters.least_step = 1e-4;
-    parameters.most_points = most_points(value, rub.settled.motion);
-    return periodic::continue_branch([this](double at) { return machines_->model(at, up_); }, value,
-                                     rub.settled.motion, parameters);
+    parameters.most_points = most_points(value, motion);
+    return parameters;
   }
 
   int most_points(double value, const PeriodicMotion& motion) const {
-    constexpr std::int64_t kOfDirection = 8, kLeastPoints = 10;
+    constexpr std::int64_t kOfDirection = 8;
     const Model model = machines_->model(value, up_);
     const periodic::ReturnMap map(model, {}, motion.frame != 0.0);
     const auto stretches = static_cast<std::int64_t>(
@@ -212,8 +263,22 @@ bool lies_on(const RubBranch& branch, double value, const PeriodicRub& rub) {
 
 RubBranches rub_branches(const scene::Variants& scenes, const MapAxis& across,
                          const std::optional<MapAxis>& up, const BranchOptions& options) {
+  const double speed = scenes.scene({}, false).rotor.speed;
+  const SceneAt scene_at = [&](double value, double of_up) {
+    std::vector<std::string> changes{fmt::format("{}={}", across.key, value)};
+    if (up) changes.push_back(fmt::format("{}={}", up->key, of_up));
+    scene::Scene scene = scenes.scene(changes, false);
+    if (across.key != kSpeedKey && (!up || up->key != kSpeedKey)) return scene;
+    for (scene::Force& force : scene.forces) force.frequency *= scene.rotor.speed / speed;
+    return scene;
+  };
+  return rub_branches(scene_at, across, up, options);
+}
+
+RubBranches rub_branches(const SceneAt& scene_at, const MapAxis& across,
+                         const std::optional<MapAxis>& up, const BranchOptions& options) {
   constexpr double kOfSearch = 0.5;  // share of the progress
-  const Machines machines(scenes, across, up);
+  const Machines machines(scene_at);
   const std::vector<double> ups = up ? up->values : std::vector<double>{0.0};
   const std::size_t columns = across.values.size();
   const auto part = [&](double from) -> std::function<void(double)> {
@@ -251,8 +316,13 @@ RubBranches rub_branches(const scene::Variants& scenes, const MapAxis& across,
     diagrams[u].carry_over(diagrams[u - 1].branches(), "the branch at the value below");
   for (std::size_t u = ups.size(); u-- > 1;)
     diagrams[u - 1].carry_over(diagrams[u].branches(), "the branch at the value above");
-  for (const Diagram& diagram : diagrams)
+  for (const Diagram& diagram : diagrams) {
+    const std::size_t before = all.branches.size();
     std::ranges::copy(diagram.branches(), std::back_inserter(all.branches));
+    for (std::size_t k = before; k < all.branches.size(); ++k) {
+      if (all.branches[k].origin) all.branches[k].origin->branch += before;
+    }
+  }
   return all;
 }
 

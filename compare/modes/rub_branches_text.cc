@@ -39,6 +39,12 @@ ordered_json point_json(const RubOnBranch& at, const std::vector<std::string>& c
           {"contact", contact.empty() ? ordered_json(nullptr) : ordered_json(contact)}};
 }
 
+// Branches are counted from 1, as in the table.
+json origin_json(const RubBranch& branch) {
+  if (!branch.origin) return nullptr;
+  return {{"branch", branch.origin->branch + 1}, {"value", branch.origin->value}};
+}
+
 json branches_json(const RubBranches& all) {
   json branches = json::array();
   for (const RubBranch& branch : all.branches) {
@@ -48,6 +54,7 @@ json branches_json(const RubBranches& all) {
     branches.push_back({{"up", all.up ? json(branch.up) : json(nullptr)},
                         {"from", branch.from},
                         {"starts", branch.starts},
+                        {"origin", origin_json(branch)},
                         {"order", branch.points.front().rub.settled.order},
                         {"ends", {branch.first_end, branch.last_end}},
                         {"points", points}});
@@ -120,6 +127,10 @@ std::string title_of(const RubBranches& all, const RubBranch& branch, std::size_
   if (all.up) text += ", " + value_text(*all.up, branch.up);
   const int order = branch.points.front().rub.settled.order;
   if (order > 1) text += fmt::format(", sub-harmonic 1/{}", order);
+  if (branch.origin) {
+    text += fmt::format(", from the period doubling of branch {} at {}", branch.origin->branch + 1,
+                        value_text(all.across, branch.origin->value));
+  }
   return text;
 }
 

@@ -128,6 +128,42 @@ json points_json(const std::vector<BranchPoint>& points, const Sample& sample, d
   });
 }
 
+json branch_point_json(const RubOnBranch& at, double per_si) {
+  const std::vector<std::complex<double>> places = places_of(at.rub);
+  const auto in_um = [&](double (*part)(const std::complex<double>&)) {
+    return list_of(places, [part](const auto& place) { return json(kMicro * part(place)); });
+  };
+  const bool is_named = at.point != periodic::PointKind::kRegular;
+  return {{"value", per_si * at.value},
+          {"point", is_named ? json(to_string(at.point)) : json(nullptr)},
+          {"kind", at.rub.kind},
+          {"stable", at.rub.settled.motion.stable},
+          {"multiplier", at.rub.largest_multiplier()},
+          {"x", in_um([](const std::complex<double>& place) { return place.real(); })},
+          {"y", in_um([](const std::complex<double>& place) { return place.imag(); })}};
+}
+
+json branches_json(const MotionBranches& branches, double per_si) {
+  const json lines = list_of(branches.found.branches, [&](const RubBranch& branch) -> json {
+    return {{"order", branch.points.front().rub.settled.order},
+            {"starts", branch.starts},
+            {"ends", {branch.first_end, branch.last_end}},
+            {"points", list_of(branch.points, [&](const RubOnBranch& at) {
+               return branch_point_json(at, per_si);
+             })}};
+  });
+  return {{"refused", branches.refused.empty() ? json(nullptr) : json(branches.refused)}, {"lines", lines}};
+}
+
+// A sentence with a space before it; empty if no branches were asked for.
+std::string note_of(const std::optional<MotionBranches>& branches) {
+  if (!branches) return "";
+  if (!branches->refused.empty())
+    return fmt::format(" There are no branches of periodic motions: {}.", branches->refused);
+  return " Lines: branches of periodic motions, found by continuation; solid: stable, dashed: "
+         "unstable.";
+}
+
 std::string note_of(const Bifurcation& diagram) {
   if (!diagram.not_continued.empty())
     return fmt::format("Each value begins at the scene's own start: {}.", diagram.not_continued);
@@ -194,14 +230,16 @@ json sweep_json(const PointScenes& scenes, Store& store, const Study& study) {
                     {"plots", std::move(plots)}});
 }
 
-json bifurcation_data(const Study& study, const Sample& sample, const Bifurcation& diagram) {
+json bifurcation_data(const Study& study, const Sample& sample, const Bifurcation& diagram,
+                      const std::optional<MotionBranches>& branches) {
   const Vary& vary = study.vary.front();
   const ShownUnit unit = shown_unit(vary.unit);
   return shortened(
       {{"key", {{"name", vary.key}, {"unit", unit.name}, {"log", vary.spacing == Spacing::kLog}}},
        {"up", points_json(diagram.up, sample, unit.per_si)},
        {"down", points_json(diagram.down, sample, unit.per_si)},
-       {"note", note_of(diagram)}});
+       {"branches", branches ? branches_json(*branches, unit.per_si) : json(nullptr)},
+       {"note", note_of(diagram) + note_of(branches)}});
 }
 
 json page_data(const PointScenes& scenes, Store& store, const Study& study, const json& kept,

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "compare/sweep/bifurcation.h"
+#include "compare/sweep/motion_branches.h"
 #include "compare/sweep/sample.h"
 #include "compare/sweep/store.h"
 
@@ -18,9 +20,13 @@ nlohmann::json sweep_json(const PointScenes& scenes, Store& store, const Study& 
 // The bifurcation diagram (sweep/bifurcation.h) as its file and the page have it:
 // {"key": {"name", "unit", "log"}, "up", "down": [{"value": in the key's unit, "refused",
 // "continued", "x": [um], "y": [um], "period": turns, "exponent": 1/s or null}], "note": a sentence
-// on where the values start}. A periodic motion has the places of one period.
+// on where the values start, and on the branches}. A periodic motion has the places of one period.
+// "branches": null without `branches`, else {"refused": the reason if there is none, or null,
+// "lines": [{"order", "starts", "ends", "points": [{"value", "point", "kind", "stable",
+// "multiplier", "x": [um], "y": [um]}]}]} as in rub_branches (modes/rub_branches_text.h).
 nlohmann::json bifurcation_data(const Study& study, const Sample& sample,
-                                const Bifurcation& diagram);
+                                const Bifurcation& diagram,
+                                const std::optional<MotionBranches>& branches = {});
 
 // Largest number of points for a browser; with more, every n-th is shown, and marks replace the
 // cells.

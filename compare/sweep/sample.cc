@@ -210,6 +210,10 @@ scene::Scene PointScenes::scene_at(std::int64_t index, bool with_text) const {
   return variants_.scene(changes_of(*study_, sample_.at(index)), with_text);
 }
 
+scene::Scene PointScenes::with_value(double value) const {
+  return variants_.scene(changes_of(*study_, {Value{fmt::format("{}", value), value}}), false);
+}
+
 void PointScenes::check() const {
   std::optional<scene::SceneError> first;
   for (const std::int64_t index : {std::int64_t{0}, sample_.size() / 2, sample_.size() - 1}) {

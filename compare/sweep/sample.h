@@ -102,6 +102,8 @@ class PointScenes {
   scene::Scene at(std::int64_t index) const {
     return scene_at(index, study_->engine == EngineKind::kMujoco);
   }
+  // The scene in which the only [[vary]] of the study has this value, SI.
+  scene::Scene with_value(double value) const;
   // With its text, also for a native study: for a scene that is saved.
   scene::Scene whole_at(std::int64_t index) const { return scene_at(index, true); }
 

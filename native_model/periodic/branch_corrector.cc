@@ -50,13 +50,9 @@ Eigen::RowVectorXd BranchCorrector::row_of(const BranchEquations& equations,
 Tangent BranchCorrector::tangent_of(const BranchEquations& equations,
                                     const Eigen::VectorXd& solution) const {
   const Eigen::MatrixXd& basis = equations.basis;
-  Tangent t{basis * solution.head(basis.cols()), autonomous_ ? solution[basis.cols()] : 0.0,
-            solution[solution.size() - 1]};
-  const double length = std::sqrt(t.dot(t));
-  t.state /= length;
-  t.period /= length;
-  t.parameter /= length;
-  return t;
+  const Tangent t{basis * solution.head(basis.cols()), autonomous_ ? solution[basis.cols()] : 0.0,
+                  solution[solution.size() - 1]};
+  return t.scaled(1.0 / t.length());
 }
 
 BranchCorrector::BranchCorrector(const std::function<Model(double)>& model_at, double parameter,
@@ -192,9 +188,9 @@ std::optional<CorrectedPoint> BranchCorrector::first(double direction) const {
   return correct(start_, along, nullptr);
 }
 
-BranchPoint BranchCorrector::predicted(const CorrectedPoint& from, double step) const {
-  BranchPoint to = from.point;
-  const Tangent& t = from.tangent;
+BranchPoint BranchCorrector::predicted(const BranchPoint& from, const Tangent& t,
+                                       double step) const {
+  BranchPoint to = from;
   State& start = to.motion.start;
   const int nq = model_.nq();
   for (Eigen::Index i = 0; i < sizes_.size(); ++i) {
@@ -208,7 +204,18 @@ BranchPoint BranchCorrector::predicted(const CorrectedPoint& from, double step) 
 }
 
 std::optional<CorrectedPoint> BranchCorrector::next(const CorrectedPoint& from, double step) const {
-  return correct(predicted(from, step), from.tangent, from.equations);
+  return correct(predicted(from.point, from.tangent, step), from.tangent, from.equations);
+}
+
+std::optional<CorrectedPoint> BranchCorrector::beside(const CorrectedPoint& from,
+                                                      const Tangent& direction, double step) const {
+  const Tangent& t = from.tangent;
+  const double share = direction.dot(t) / t.dot(t);
+  const Tangent normal{direction.state - share * t.state, direction.period - share * t.period,
+                       direction.parameter - share * t.parameter};
+  if (!(normal.length() > 0.0)) return {};
+  return correct(predicted(from.point, direction, step), normal.scaled(1.0 / normal.length()),
+                 nullptr);
 }
 
 bool BranchCorrector::is_in_range(double parameter) const {
@@ -216,11 +223,11 @@ bool BranchCorrector::is_in_range(double parameter) const {
 }
 
 bool BranchCorrector::stays_in_range(const CorrectedPoint& from, double step) const {
-  return is_in_range(predicted(from, step).parameter);
+  return is_in_range(predicted(from.point, from.tangent, step).parameter);
 }
 
 bool BranchCorrector::events_change(const CorrectedPoint& from, double step) const {
-  BranchPoint to = predicted(from, step);
+  BranchPoint to = predicted(from.point, from.tangent, step);
   const Model model = (*model_at_)(to.parameter);
   place(model, to);
   const Return point = map_of(model).at(to.motion.start, to.motion.period, to.motion.turns);

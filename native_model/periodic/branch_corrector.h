@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -19,6 +20,8 @@ struct Tangent {
   double dot(const Tangent& other) const {
     return state.dot(other.state) + period * other.period + parameter * other.parameter;
   }
+  double length() const { return std::sqrt(dot(*this)); }
+  Tangent scaled(double by) const { return {by * state, by * period, by * parameter}; }
 };
 
 // The equations of Newton's method at a point, without the last one.
@@ -47,6 +50,11 @@ class BranchCorrector {
   // The point at the arclength `step` from another; empty if Newton's method does not converge
   // within the range of the parameter.
   std::optional<CorrectedPoint> next(const CorrectedPoint& from, double step) const;
+  // The point at the arclength `step` in another direction, in the plane normal to the part of the
+  // direction that is normal to the tangent at `from`.
+  std::optional<CorrectedPoint> beside(const CorrectedPoint& from, const Tangent& direction,
+                                       double step) const;
+  const Eigen::VectorXd& sizes() const { return sizes_; }  // of the essential entries
   // The parameter at the arclength `step` along the tangent is in its range.
   bool stays_in_range(const CorrectedPoint& from, double step) const;
   // True if the motion there has other events.
@@ -57,7 +65,7 @@ class BranchCorrector {
                                                       const ReturnMap& map) const;
   void place(const Model& model, BranchPoint& at) const;
   ReturnMap map_of(const Model& model) const;
-  BranchPoint predicted(const CorrectedPoint& from, double step) const;
+  BranchPoint predicted(const BranchPoint& from, const Tangent& along, double step) const;
   bool is_in_range(double parameter) const;
   // near: equations of a point nearby, which serve while they make the residual fall fast; or null.
   std::optional<CorrectedPoint> correct(BranchPoint at, const Tangent& along,

@@ -9,6 +9,7 @@
 
 #include "native_model/periodic/branch_corrector.h"
 #include "native_model/periodic/guesses.h"
+#include "native_model/periodic/period_doubling.h"
 
 namespace rotorub::periodic {
 namespace {
@@ -159,6 +160,51 @@ void add_last_point(const BranchCorrector& corrector, const CorrectedPoint& now,
   branch.points.push_back(last->point);
 }
 
+// Follows the branch from `now`, the last of its points.
+void follow(const std::function<Model(double)>& model_at, const ContinuationParameters& parameters,
+            std::unique_ptr<BranchCorrector> corrector, CorrectedPoint now, Branch& branch) {
+  double step = parameters.first_step;
+  bool can_restart = false;  // from another instant of the period
+  while (static_cast<int>(branch.points.size()) < parameters.most_points) {
+    auto next = corrector->next(now, step);
+    if (!next) {
+      if (step <= parameters.first_step && !corrector->stays_in_range(now, step)) {
+        add_last_point(*corrector, now, parameters, branch);
+        return;
+      }
+      step *= 0.5;
+      if (step >= parameters.least_step) continue;
+      if (can_restart && restart(model_at, parameters, corrector, now)) {
+        can_restart = false;
+        step = parameters.first_step;
+        continue;
+      }
+      branch.end = "Newton's method does not converge beyond the last point";
+      const double beyond = kBeyond * parameters.first_step;
+      if (corrector->stays_in_range(now, beyond) && corrector->events_change(now, beyond)) {
+        branch.end = "a contact grazes";
+        if (branch.points.back().kind == PointKind::kRegular)
+          branch.points.back().kind = PointKind::kGrazing;
+      }
+      return;
+    }
+    if (has_half_period_between(model_at, parameters, now, *next)) {
+      branch.end = kAtDoubling;
+      const auto end = half_period_between(model_at, parameters, now, *next);
+      if (end) branch.points.push_back(*end);
+      return;
+    }
+    add_special_points(*corrector, now, *next, step, branch.points);
+    branch.points.push_back(next->point);
+    can_restart = true;
+    const int corrections = next->point.motion.iterations;
+    now = std::move(*next);
+    if (corrections <= kFewCorrections) step = std::min(kLengthen * step, parameters.longest_step);
+    if (corrections >= kManyCorrections) step *= kShorten;
+  }
+  branch.end = "the largest number of points is reached";
+}
+
 }  // namespace
 
 const char* to_string(PointKind kind) {
@@ -183,46 +229,26 @@ Branch continue_branch(const std::function<Model(double)>& model_at, double para
                        const PeriodicMotion& start, const ContinuationParameters& parameters) {
   Branch branch;
   auto corrector = std::make_unique<BranchCorrector>(model_at, parameter, start, parameters);
-  auto now = corrector->first(parameters.direction);
-  if (!now) {
+  auto begin = corrector->first(parameters.direction);
+  if (!begin) {
     branch.end = "the start is not a periodic motion, or has no tangent";
     return branch;
   }
-  branch.points.push_back(now->point);
-  double step = parameters.first_step;
-  bool can_restart = false;  // from another instant of the period
-  while (static_cast<int>(branch.points.size()) < parameters.most_points) {
-    const auto next = corrector->next(*now, step);
-    if (!next) {
-      if (step <= parameters.first_step && !corrector->stays_in_range(*now, step)) {
-        add_last_point(*corrector, *now, parameters, branch);
-        return branch;
-      }
-      step *= 0.5;
-      if (step >= parameters.least_step) continue;
-      if (can_restart && restart(model_at, parameters, corrector, *now)) {
-        can_restart = false;
-        step = parameters.first_step;
-        continue;
-      }
-      branch.end = "Newton's method does not converge beyond the last point";
-      const double beyond = kBeyond * parameters.first_step;
-      if (corrector->stays_in_range(*now, beyond) && corrector->events_change(*now, beyond)) {
-        branch.end = "a contact grazes";
-        if (branch.points.back().kind == PointKind::kRegular)
-          branch.points.back().kind = PointKind::kGrazing;
-      }
-      return branch;
-    }
-    add_special_points(*corrector, *now, *next, step, branch.points);
-    branch.points.push_back(next->point);
-    can_restart = true;
-    const int corrections = next->point.motion.iterations;
-    now = next;
-    if (corrections <= kFewCorrections) step = std::min(kLengthen * step, parameters.longest_step);
-    if (corrections >= kManyCorrections) step *= kShorten;
+  branch.points.push_back(begin->point);
+  follow(model_at, parameters, std::move(corrector), std::move(*begin), branch);
+  return branch;
+}
+
+Branch continue_doubled(const std::function<Model(double)>& model_at, const BranchPoint& doubling,
+                        const ContinuationParameters& parameters) {
+  Branch branch;
+  auto begun = doubled_branch(model_at, doubling, parameters);
+  if (!begun) {
+    branch.end = "no motion of twice the period is found beside the period doubling";
+    return branch;
   }
-  branch.end = "the largest number of points is reached";
+  branch.points = {begun->begin, begun->first.point};
+  follow(model_at, parameters, std::move(begun->corrector), std::move(begun->first), branch);
   return branch;
 }
 

@@ -15,7 +15,8 @@
 //
 // The first four are located by the secant method along the branch, grazing by bisection. Where the
 // branch cannot be followed further, a period begins at another instant, far from all events; if
-// this does not help and the events change beyond the last point, this point grazes.
+// this does not help and the events change beyond the last point, this point grazes. A branch also
+// ends at a period doubling of motions of half the period, where it would return on itself.
 #pragma once
 
 #include <functional>
@@ -49,10 +50,19 @@ struct Branch {
   std::vector<BranchPoint> points;  // in the order of the branch, special points among them
   std::string end;                  // why it ends there
 };
+// The reason if a branch ends where its motions have half the period.
+inline constexpr const char* kAtDoubling = "a period doubling of motions of half the period";
 
 // model_at: the model for a value of p; all must have the same coordinates. start: a periodic
 // motion at `parameter`, found there.
 Branch continue_branch(const std::function<Model(double)>& model_at, double parameter,
                        const PeriodicMotion& start, const ContinuationParameters& parameters);
+
+// The branch of twice the period that begins at a period doubling of another branch, whatever its
+// side of it and its stability (period_doubling.h). Its first point is the period doubling, seen
+// over two periods. Without points if none is found; `end` gives the reason. The direction of the
+// parameters does not matter.
+Branch continue_doubled(const std::function<Model(double)>& model_at, const BranchPoint& doubling,
+                        const ContinuationParameters& parameters);
 
 }  // namespace rotorub::periodic

@@ -93,6 +93,7 @@ PeriodFigures period_figures(const Model& model, const PeriodicMotion& motion,
     follower.of(k).mean_force = run.normal_impulse(end, k) / motion.period;
   }
   figures.contacts = follower.over(motion.period);
+  figures.passes = recorder.keyphasor().take();
   return figures;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "native_model/periodic/periodic_motion.h"
+#include "native_model/trajectory/keyphasor.h"
 
 namespace rotorub::periodic {
 
@@ -26,6 +27,7 @@ struct ContactFigures {
 struct PeriodFigures {
   Status status = Status::kOk;
   std::vector<ContactFigures> contacts;  // one per auxiliary bearing
+  std::vector<KeyphasorPass> passes;     // of the rotor's mark
 };
 
 PeriodFigures period_figures(const Model& model, const PeriodicMotion& motion,

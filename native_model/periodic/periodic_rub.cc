@@ -32,7 +32,9 @@ std::string kind_of(const PeriodicRub& rub) {
 
 PeriodicRub periodic_rub(const Model& m, SettledMotion settled) {
   PeriodicRub rub;
-  rub.figures = period_figures(m, settled.motion).contacts;
+  PeriodFigures figures = period_figures(m, settled.motion);
+  rub.figures = std::move(figures.contacts);
+  rub.passes = std::move(figures.passes);
   rub.spin = spin_speed(m, settled.motion.start.v.data());
   rub.settled = std::move(settled);
   rub.contact = static_cast<std::size_t>(

@@ -22,6 +22,7 @@ struct PeriodicRub {
   double spin = 0.0;                    // rad/s, at the start of the period
   std::size_t contact = 0;              // with the largest mean force
   std::vector<ContactFigures> figures;  // one per auxiliary bearing
+  std::vector<KeyphasorPass> passes;    // of the rotor's mark in one period
   double largest_multiplier() const;    // its absolute value
 };
 

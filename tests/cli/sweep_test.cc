@@ -65,6 +65,20 @@ TEST(Sweep, KeepsABifurcationDiagram) {
   EXPECT_TRUE(contains(folder.text("out/sweep.html"), "\"bifurcation\":{\"down\":"));
 }
 
+TEST(Sweep, DrawsBranchesInItsBifurcationDiagram) {
+  const Folder folder;
+  folder.write("study.toml",
+               "scene = \"" + shipped("bench_annular_elastic") +
+                   "\"\n[sample]\nkind = \"list\"\n[[vary]]\nkey = \"contact.friction\"\n"
+                   "values = [0.1, 0.12]\n[run]\nintegrator = \"event\"\nend = \"0.2 s\"\n");
+  folder.done({"sweep", "study.toml", "-o", "out", "--bifurcation", "--branches", "-q"});
+  const json branches = json::parse(folder.text("out/bifurcation.json")).at("branches");
+  EXPECT_TRUE(branches.at("refused").is_null()) << branches.at("refused");
+  EXPECT_FALSE(branches.at("lines").empty());
+  EXPECT_TRUE(contains(folder.text("out/sweep.html"), "solid: stable, dashed: unstable"));
+  folder.refuses({"sweep", "study.toml", "-o", "out", "--branches"});
+}
+
 // The run of a point equals the run of its scene, and the page links to it.
 TEST(Sweep, KeepsTheRunOfAPoint) {
   const Folder folder;

@@ -68,7 +68,7 @@ TRIED = [
     "sweep study.toml -o s2 --shard 2/2 --set contact.friction=0.1 -q",
     "sweep study.toml -o s3 --merge s1 s2 --set contact.friction=0.1 --quiet",
     "sweep study.toml -o s4 --slurm --tasks 2 --quiet",
-    "sweep study.toml -o s6 --bifurcation -q --allow-library", "sweep study.toml -o s6 --point 0 --point 1 -q",
+    "sweep study.toml -o s6 --bifurcation --branches -q --allow-library", "sweep study.toml -o s6 --point 0 --point 1 -q",
     "optimise study.toml -o o1 --json", "optimise study.toml --output o2 --quiet --set contact.friction=0.1",
     f"optimise paper.toml -o o3 --controller {OWN} {SAMPLED} -q", "optimise study.toml -o o4 -q --allow-library",
     f"sweep paper.toml -o s5 --controller {OWN} {SAMPLED} -q",

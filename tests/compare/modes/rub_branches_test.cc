@@ -12,6 +12,7 @@
 
 #include "compare/modes/rub_branches_text.h"
 #include "native_model/linear/rub_map.h"
+#include "tests/native_model/periodic/bounce_once_a_turn.h"
 
 namespace rotorub {
 namespace {
@@ -78,6 +79,43 @@ TEST(RubBranches, AgreeWithTheClosedFormsAtSeveralSpeeds) {
     }
     EXPECT_GT(compared, 15u) << speed;
   }
+}
+
+// Beyond its period doubling the bounce repeats after two turns (bounce_once_a_turn.h). A run
+// settles on that branch, which begins at the doubling.
+TEST(RubBranches, OfABounceGoOnBeyondItsPeriodDoubling) {
+  const test::BounceOnceATurn bounce;
+  const SceneAt scene_at = [&](double swing, double) {
+    scene::Scene scene = bounce.scene();
+    scene.forces[1].amplitude = scene.forces[2].amplitude = 0.5 * swing;
+    scene.rotor.modal->damping = {0.5};
+    return scene;
+  };
+  const MapAxis swings{"force[1].amplitude", "N", {13.0, 1.05 * bounce.doubling_swing()}};
+  const RubBranches all = rub_branches(scene_at, swings, {});
+  const auto begins = [](const RubBranch& branch) { return branch.origin.has_value(); };
+  const auto two = std::ranges::find_if(all.branches, begins);
+  ASSERT_NE(two, all.branches.end());
+  EXPECT_EQ(std::ranges::count_if(all.branches, begins), 1) << "it is followed once";
+  EXPECT_EQ(two->points.front().rub.settled.order, 2);
+  EXPECT_NE(std::ranges::find(two->starts, "the scene's start"), two->starts.end());
+  const RubBranch& once = all.branches[two->origin->branch];
+  EXPECT_EQ(once.points.front().rub.settled.order, 1);
+  const auto doublings = named(once, PointKind::kPeriodDoubling);
+  ASSERT_EQ(doublings.size(), 1u);
+  EXPECT_EQ(two->origin->value, doublings[0].value);
+  EXPECT_NEAR(doublings[0].value, bounce.doubling_swing(), 0.1) << "with a little damping";
+  for (const RubOnBranch& at : two->points) {
+    EXPECT_GE(at.value, doublings[0].value - 1e-9);
+    EXPECT_EQ(at.rub.passes.size(), 2u) << at.value;
+  }
+  const result::Section section = rub_branches_result("bounce", all);
+  const nlohmann::json printed = result::json_of(section).at("rub_branches").at("branches");
+  const nlohmann::json& origin =
+      printed.at(static_cast<std::size_t>(two - all.branches.begin())).at("origin");
+  EXPECT_EQ(origin.at("branch"), two->origin->branch + 1);
+  EXPECT_EQ(origin.at("value"), two->origin->value);
+  EXPECT_NE(result::text_of(section).find("from the period doubling of branch"), std::string::npos);
 }
 
 TEST(RubBranches, StandInJsonInTheTableAndInWords) {

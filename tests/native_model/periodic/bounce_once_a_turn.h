@@ -14,6 +14,7 @@
 // doubles its period, s = -1, where A cos = -F (1 + ((1 - eps) / (1 + eps))^2).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -51,6 +52,17 @@ struct BounceOnceATurn {
     const double after = period() - phase() / omega;
     return -restitution * approach() + press / mass * after -
            swing / mass / omega * std::sin(phase());
+  }
+  // The flight after an impact at the time s with the speed w: how far it is from the next impact
+  // at the time t with the speed w_next, in m and m/s.
+  double flight_error(double s, double w, double t, double w_next) const {
+    const double flown = t - s, sine = std::sin(omega * s);
+    const double at =
+        -restitution * w * flown + 0.5 * press / mass * flown * flown +
+        swing / mass / omega * ((std::cos(omega * s) - std::cos(omega * t)) / omega - flown * sine);
+    const double speed = -restitution * w + press / mass * flown +
+                         swing / mass / omega * (std::sin(omega * t) - sine);
+    return std::max(std::abs(at), std::abs(speed - w_next));
   }
   scene::Scene scene() const {
     scene::Scene s = make_scene(

@@ -2,13 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
 #include <iterator>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "native_model/linear/rub_map.h"
 #include "native_model/periodic/continuation.h"
 #include "native_model/periodic/period_figures.h"
+#include "native_model/periodic/settled_motion.h"
 #include "native_model/prepare/prepare.h"
 #include "tests/native_model/periodic/bounce_once_a_turn.h"
 #include "tests/native_model/periodic/first_guesses.h"
@@ -90,34 +94,155 @@ TEST(Continuation, OfTheWhipThroughItsHopfBorder) {
   EXPECT_NEAR(point.leading(rub::RubKind::kWhip)->stability.growth, 0.0, 1e-6);
 }
 
+// The bounce with another swing A. The first start is the closed form's, the others are searched
+// for.
+Model bounce_with(double swing, double damping = 0.0) {
+  scene::Scene scene = test::BounceOnceATurn().scene();
+  scene.forces[1].amplitude = scene.forces[2].amplitude = 0.5 * swing;
+  scene.rotor.modal->damping = {damping};
+  return prepare(scene);
+}
+
+// Its branch towards larger swings.
+Branch bounces(double damping, const ContinuationParameters& settings) {
+  const auto model_at = [damping](double swing) { return bounce_with(swing, damping); };
+  const double swing = test::BounceOnceATurn().swing;
+  const Model model = model_at(swing);
+  const PeriodicMotion start = find_periodic_motion(model, guess_at_start(model).guess);
+  EXPECT_TRUE(start.found()) << start.message;
+  return continue_branch(model_at, swing, start, settings);
+}
+
+ContinuationParameters swings(double lowest, double highest) {
+  ContinuationParameters settings;
+  settings.lowest = lowest;
+  settings.highest = highest;
+  settings.scale = 5.0;
+  return settings;
+}
+
 TEST(Continuation, OfABounceBetweenItsFoldAndItsPeriodDoubling) {
   const test::BounceOnceATurn bounce;
-  // The first start is the closed form's, the others are searched for.
-  const auto model_at = [&](double swing) {
-    scene::Scene scene = bounce.scene();
-    scene.forces[1].amplitude = scene.forces[2].amplitude = 0.5 * swing;
-    return prepare(scene);
-  };
-  const Model model = model_at(bounce.swing);
-  const PeriodicMotion start = find_periodic_motion(model, guess_at_start(model).guess);
-  ASSERT_TRUE(start.found()) << start.message;
-  ContinuationParameters settings;
-  settings.lowest = 5.0;
-  settings.highest = 16.0;
-  settings.scale = 5.0;
-  const Branch up = continue_branch(model_at, bounce.swing, start, settings);
+  const Branch up = bounces(0.0, swings(5.0, 16.0));
   EXPECT_TRUE(up.points.front().motion.stable);
   EXPECT_FALSE(up.points.back().motion.stable);
   const auto doublings = of_kind(up, PointKind::kPeriodDoubling);
   ASSERT_EQ(doublings.size(), 1u) << up.end;
   EXPECT_NEAR(doublings[0].parameter, bounce.doubling_swing(), 1e-7);
+  ContinuationParameters settings = swings(5.0, 13.0);
   settings.direction = -1.0;
-  settings.highest = 13.0;
-  const Branch down = continue_branch(model_at, bounce.swing, start, settings);
+  const Branch down = bounces(0.0, settings);
   EXPECT_FALSE(down.points.back().motion.stable);
   const auto folds = of_kind(down, PointKind::kFold);
   ASSERT_EQ(folds.size(), 1u) << down.end;
   EXPECT_NEAR(folds[0].parameter, bounce.least_swing(), 1e-7);
+}
+
+// Expects `count` impacts in a period, with flights in between that are exact. Returns the largest
+// difference between their speeds, m/s.
+double expect_flights(const BranchPoint& point, std::size_t count) {
+  test::BounceOnceATurn bounce;
+  bounce.swing = point.parameter;
+  const Model model = bounce_with(point.parameter);
+  const PeriodicMotion& motion = point.motion;
+  const MotionRecord record = record_motion(model, motion.start, motion.start.t + motion.period);
+  std::vector<std::pair<double, double>> impacts;  // time, speed
+  for (const Stretch& s : record.stretches) {
+    const auto vx = static_cast<std::size_t>(model.nq() + model.layout.x());
+    if (s.jump) impacts.emplace_back(s.end(), s.jump->before[vx]);
+  }
+  EXPECT_EQ(impacts.size(), count) << point.parameter;
+  if (impacts.empty()) return 0.0;
+  impacts.emplace_back(impacts.front().first + motion.period, impacts.front().second);
+  double difference = 0.0;
+  for (std::size_t k = 0; k + 1 < impacts.size(); ++k) {
+    const auto [t, w] = impacts[k];
+    const auto [next, w_next] = impacts[k + 1];
+    EXPECT_LT(bounce.flight_error(t, w, next, w_next), 1e-9) << point.parameter;
+    difference = std::max(difference, std::abs(w - w_next));
+  }
+  return difference;
+}
+
+// The impacts of the rotor scale areas of the phase plane by eps^2 each, and those along the ring
+// not at all.
+double product_of_multipliers(const PeriodicMotion& motion) {
+  std::complex<double> product = 1.0;
+  for (const std::complex<double>& m : motion.multipliers) product *= m;
+  return product.real();
+}
+
+TEST(Continuation, OfABounceThroughTwoPeriodDoublings) {
+  const test::BounceOnceATurn bounce;
+  const auto model_at = [](double swing) { return bounce_with(swing); };
+  const ContinuationParameters settings = swings(5.0, 17.0);
+  const auto doublings = of_kind(bounces(0.0, settings), PointKind::kPeriodDoubling);
+  ASSERT_EQ(doublings.size(), 1u);
+  const Branch two = continue_doubled(model_at, doublings[0], settings);
+  ASSERT_GT(two.points.size(), 5u) << two.end;
+  EXPECT_NEAR(two.points[0].parameter, bounce.doubling_swing(), 1e-7);
+  EXPECT_EQ(two.points[0].kind, PointKind::kPeriodDoubling);
+  for (std::size_t k = 0; k < two.points.size(); ++k) {
+    const BranchPoint& at = two.points[k];
+    EXPECT_NEAR(at.motion.period, 2.0 * bounce.period(), 1e-12);
+    const double difference = expect_flights(at, 2);
+    EXPECT_NEAR(product_of_multipliers(at.motion), std::pow(bounce.restitution, 4.0), 1e-6);
+    if (k == 0) continue;
+    EXPECT_GT(difference, 1e-4) << at.parameter;
+    EXPECT_GT(at.parameter, bounce.doubling_swing());
+  }
+  EXPECT_TRUE(two.points[1].motion.stable);
+  const auto again = of_kind(two, PointKind::kPeriodDoubling);
+  ASSERT_EQ(again.size(), 2u) << "its beginning and the next one; " << two.end;
+  const Branch four = continue_doubled(model_at, again[1], settings);
+  ASSERT_GT(four.points.size(), 2u) << four.end;
+  EXPECT_TRUE(four.points[1].motion.stable);
+  for (std::size_t k = 1; k < four.points.size(); ++k) expect_flights(four.points[k], 4);
+  EXPECT_TRUE(continue_doubled(model_at, again[0], settings).points.empty())
+      << "it has the multiplier 1 and not -1";
+}
+
+TEST(Continuation, OfABounceInTwoTurnsEndsAtItsPeriodDoubling) {
+  const test::BounceOnceATurn bounce;
+  const auto model_at = [](double swing) { return bounce_with(swing); };
+  ContinuationParameters settings = swings(5.0, 17.0);
+  const auto doublings = of_kind(bounces(0.0, settings), PointKind::kPeriodDoubling);
+  ASSERT_EQ(doublings.size(), 1u);
+  const Branch two = continue_doubled(model_at, doublings[0], settings);
+  ASSERT_GT(two.points.size(), 5u) << two.end;
+  settings.direction = -1.0;
+  const Branch back =
+      continue_branch(model_at, two.points[4].parameter, two.points[4].motion, settings);
+  EXPECT_EQ(back.end, "a period doubling of motions of half the period");
+  EXPECT_EQ(back.points.back().kind, PointKind::kPeriodDoubling);
+  EXPECT_NEAR(back.points.back().parameter, bounce.doubling_swing(), 1e-7);
+  for (const BranchPoint& at : back.points) expect_flights(at, 2);
+}
+
+// With a little damping a run beyond the period doubling settles on the branch that begins there.
+TEST(Continuation, OfABounceInTwoTurnsIsWhereARunSettles) {
+  constexpr double kDamping = 0.5;  // N s/m
+  const double swing = 1.05 * test::BounceOnceATurn().doubling_swing();
+  const auto model_at = [](double of) { return bounce_with(of, kDamping); };
+  const ContinuationParameters settings = swings(5.0, swing);
+  const auto doublings = of_kind(bounces(kDamping, settings), PointKind::kPeriodDoubling);
+  ASSERT_EQ(doublings.size(), 1u);
+  const Branch two = continue_doubled(model_at, doublings[0], settings);
+  ASSERT_FALSE(two.points.empty()) << two.end;
+  EXPECT_EQ(two.end, "the parameter leaves its range");
+  const Model model = model_at(swing);
+  const PeriodicMotion& last = two.points.back().motion;
+  const PeriodicMotion listed =
+      find_periodic_motion(model, {last.start, last.period, last.turns, last.held, false});
+  ASSERT_TRUE(listed.found()) << listed.message;
+  const SettledMotion run = settled_motion(model, initial_state(model), {.duration = 1.0});
+  ASSERT_TRUE(run.found()) << run.refusal;
+  EXPECT_EQ(run.order, 2);
+  const ContactFigures a = period_figures(model, listed).contacts[0],
+                       b = period_figures(model, run.motion).contacts[0];
+  EXPECT_EQ(a.impacts, 2);
+  EXPECT_NEAR(a.largest_impulse, b.largest_impulse, 1e-8 * a.largest_impulse);
+  EXPECT_NEAR(a.mean_force, b.mean_force, 1e-8 * a.mean_force);
 }
 
 // Design: with the force's frequency as speed the synchronous rub ends at 707.6856016 rad/s.

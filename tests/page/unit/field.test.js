@@ -1,7 +1,7 @@
 // The plots of rotor dynamics without a browser: Bode and polar, decrement, orbits' sense and mark, run-ups, distributions.
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import {partsOf, places} from '../../../compare/report/page/bifurcation.js';
+import {partsOf, places, rankLines} from '../../../compare/report/page/bifurcation.js';
 import {beyondText, dampingScale, decrement, stretches} from '../../../compare/report/page/campbell.js';
 import {lookAt, senseLines, senseWord, sweptSense} from '../../../compare/report/page/orbits.js';
 import {Run} from '../../../compare/report/page/player/run.js';
@@ -189,6 +189,12 @@ test('a bifurcation diagram has every place of every value', () => {
   const drawn = places([{value: 1, x: [5], period: 1}, {value: 2, x: [3, 4], period: 2}, {value: 3, x: [], period: 0}, {value: 4, x: [1], period: 0}]);
   assert.deepEqual([drawn.x, drawn.y], [[1, 2, 2, 4], [5, 3, 4, 1]]);
   assert.deepEqual(drawn.text, ['1: a turn', '2: 2 turns', '2: 2 turns', '4: no period up to 16 turns']);
+});
+
+test('the places of a branch are joined by their rank along x', () => {
+  const lines = rankLines([{value: 1, x: [5, 3]}, {value: 2, x: [4, 6]}, {value: 3, x: []}]);
+  assert.deepEqual(lines, [[{x: 1, y: 3}, {x: 2, y: 4}], [{x: 1, y: 5}, {x: 2, y: 6}]]);
+  assert.deepEqual(rankLines([{value: 1, x: []}]), []);
 });
 
 test('the stable and unstable parts of a branch touch each other', () => {
