@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
@@ -23,8 +24,33 @@ struct Settlement {
   Numbers values;
 };
 
-std::string value_text(const Vary& vary, double value) {
+// A key in words: "contact friction", "rotor disc 2 eccentricity".
+std::string in_words(const std::string& key) {
+  std::string words;
+  for (std::size_t k = 0; k < key.size(); ++k) {
+    if (key[k] == '[') {
+      const std::size_t end = key.find(']', k);
+      words += fmt::format(" {}", std::stoi(key.substr(k + 1, end - k - 1)) + 1);
+      k = end;
+    } else {
+      words += key[k] == '.' || key[k] == '_' ? ' ' : key[k];
+    }
+  }
+  return words;
+}
+
+// The unit in which people read a value in SI of this size: mm for a clearance.
+ShownUnit usual_unit(const Vary& vary, double value) {
   const ShownUnit unit = shown_unit(vary.unit);
+  const double size = std::abs(value);
+  if ((unit.name == "m" || unit.name == "s") && size > 0.0 && size < 0.1)
+    return size < 1e-4 ? ShownUnit{"µ" + unit.name, kMicro} : ShownUnit{"m" + unit.name, kMilli};
+  if (unit.name.starts_with('N') && size >= 1e4) return {"k" + unit.name, 1.0 / kMilli};
+  return unit;
+}
+
+std::string value_text(const Vary& vary, double value) {
+  const ShownUnit unit = usual_unit(vary, value);
   return fmt::format("{:.4g}{}{}", unit.per_si * value, unit.name.empty() ? "" : " ", unit.name);
 }
 
@@ -69,7 +95,7 @@ class Region {
     return lines;
   }
 
-  // "bouncing from contact.friction = 0.2 up, at every rotor.speed"; empty if the region has
+  // "bouncing from contact friction 0.2 up, at every rotor speed"; empty if the region has
   // another form. is_upper: it lies above its bound.
   std::string bounded_text(std::size_t k, bool is_upper) const {
     if (study_.kind != SampleKind::kGrid || !study_.vary[k].has_numbers()) return "";
@@ -95,14 +121,14 @@ class Region {
     const auto [from, to] = std::pair(*least->values[k], *most->values[k]);
     const Vary& vary = study_.vary[k];
     std::string text =
-        fmt::format("{} {} {} = {}", attractor_, is_upper ? "from" : "up to", vary.key,
+        fmt::format("{} {} {} {}", attractor_, is_upper ? "from" : "up to", in_words(vary.key),
                     from == to ? value_text(vary, from)
-                               : fmt::format("{:.4g} to {}", from * shown_unit(vary.unit).per_si,
+                               : fmt::format("{:.4g} to {}", from * usual_unit(vary, to).per_si,
                                              value_text(vary, to)));
     if (is_upper) text += " up";
     std::vector<std::string> others;
     for (std::size_t j = 0; j < study_.vary.size(); ++j)
-      if (j != k) others.push_back(is_partial ? range_text(j) : study_.vary[j].key);
+      if (j != k) others.push_back(is_partial ? range_text(j) : in_words(study_.vary[j].key));
     if (others.empty()) return text;
     return text + fmt::format(", {} {}",
                               is_partial   ? "for"
@@ -111,7 +137,7 @@ class Region {
                               fmt::join(others, " and "));
   }
 
-  // "rotor.speed 35 Hz to 80 Hz"; empty if the key takes all its values here, or words.
+  // "rotor speed 35 Hz to 80 Hz"; empty if the key takes all its values here, or words.
   std::string range_text(std::size_t k) const {
     if (!study_.vary[k].has_numbers()) return "";
     const auto number = [k](const Settlement& s) { return s.values[k]; };
@@ -121,7 +147,7 @@ class Region {
     if (number(*low) == number(*least) && number(*high) == number(*most)) return "";
     const Vary& vary = study_.vary[k];
     const std::string from = value_text(vary, *number(*low)), to = value_text(vary, *number(*high));
-    return fmt::format("{} {}{}", vary.key, from, from == to ? "" : " to " + to);
+    return fmt::format("{} {}{}", in_words(vary.key), from, from == to ? "" : " to " + to);
   }
 
   const Study& study_;
@@ -182,7 +208,7 @@ std::vector<std::string> answer_of(Store& store, const Study& study) {
     for (std::size_t k = 0; k < keys; ++k) {
       const int at = static_cast<int>(k) + 1;
       hardest +=
-          fmt::format("{} {} = {}", k > 0 ? "," : "", study.vary[k].key,
+          fmt::format("{} {} {}", k > 0 ? "," : "", in_words(study.vary[k].key),
                       is_word(row, at) ? row.text(at) : value_text(study.vary[k], row.number(at)));
     }
   });

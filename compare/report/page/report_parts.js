@@ -78,10 +78,14 @@ const resyncWords = 'An onset is the first impulse after a flight of at least 10
 const splitWords = html`<p>Every difference is split in two. The <b>contact model</b>'s part remains when the step goes to 0 (Richardson extrapolation over
   dt, dt/2 and dt/4 on both sides); the <b>step</b>'s part vanishes with it. Figures that do not converge monotonically cannot be split, and
   are folded below.</p>`;
-function splitOf([table, ...notes]) {
-  const isSplit = ({mark}) => !mark, left = table.rows.filter((row) => !isSplit(row));
-  const folded = {details: `${left.length} differences that cannot be split between contact model and step`, class: 'folded', parts: [{...table, rows: left}]};
-  return [{markup: splitWords}, {...table, rows: table.rows.filter(isSplit)}, ...(left.length ? [folded] : []), ...notes];
+// Null without differences, as for a scene without contact.
+function splitOf(parts) {
+  const table = parts.find(({rows}) => rows?.length), notes = parts.filter(({rows}) => !rows);
+  if (!table) return null;
+  const isSplit = ({mark}) => !mark, [split, left] = [table.rows.filter(isSplit), table.rows.filter((row) => !isSplit(row))];
+  const folded = {details: `${left.length} difference${left.length > 1 ? 's' : ''} that cannot be split between contact model and step`, class: 'folded',
+    parts: [{...table, rows: left}]};
+  return [{markup: splitWords}, ...(split.length ? [{...table, rows: split}] : []), ...(left.length ? [folded] : []), ...notes];
 }
 
 const ladderWords = html`<p>Both sides keep the same modes, so their agreement says nothing about the modes left out. The native model alone, with more and

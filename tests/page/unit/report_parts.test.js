@@ -46,9 +46,17 @@ test('judged figures stand with their differences, and all figures with their me
 test('differences that cannot be split are folded', () => {
   const [, table, folded, note] = detailsOf(partsOf(data).scene, 'differences').parts;
   assert.deepEqual(table.rows.map(({cells}) => cells[0]), ['force']);
-  assert.match(folded.details, /^1 differences that cannot/);
+  assert.match(folded.details, /^1 difference that cannot/);
   assert.deepEqual(folded.parts[0].rows.map(({cells}) => cells[0]), ['peak']);
   assert.equal(note.text, 'never part');
+});
+
+test('without differences there is no section on where they come from', () => {
+  const other = (parts) => ({...data, scenes: [{...scene, parts: scene.parts.map((part) => (part.id === 'differences' ? {id: 'differences', parts} : part))}]});
+  assert.equal(detailsOf(partsOf(other([{columns: [{text: 'figure'}], rows: []}])).scene, 'differences'), undefined);
+  assert.equal(detailsOf(partsOf(other([{text: 'nothing to split'}])).scene, 'differences'), undefined);
+  const {parts} = detailsOf(partsOf(other([{columns: [{text: 'figure'}], rows: [{cells: ['peak'], mark: '?'}]}])).scene, 'differences');
+  assert.equal(parts.length, 2, 'no empty table above those that cannot be split');
 });
 
 test('each verdict has its reasons', () => {
