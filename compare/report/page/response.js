@@ -62,7 +62,7 @@ export function bodeFigure({bode, campbell}) {
     marker: {color: css('--paper'), size: 9, line: {color: style(curve).color, width: 2}},
     text: curve.peaks.map(factorOf), hovertemplate: `peak at %{x:.5g} rpm: %{y:.4g} µm, %{text}<extra>${nameOf(curve)}</extra>`}));
   const letters = letteredPeaks(shown, top).map((peak) => ({x: peak.speed, y: Math.log10(peak.amplitude), text: `${rpm(peak.speed)}, ${factorOf(peak)}`,
-    showarrow: false, xanchor: peak.speed > 0.85 * top ? 'right' : peak.speed < 0.15 * top ? 'left' : 'center', yanchor: 'bottom', yshift: 7, font: {color: css('--ink'), size: 12}}));
+    showarrow: false, xanchor: peak.speed > 0.85 * top ? 'right' : peak.speed < 0.15 * top ? 'left' : 'center', yanchor: 'bottom', yshift: 7, bgcolor: css('--paper'), font: {color: css('--ink'), size: 12}}));
   const marks = [...(running > 0 && running <= top ? [across(running, '--soft', 'dot')] : []),
     ...campbell.critical.filter((n) => n <= top).map((n) => across(n, '--line', 'longdash')),
     ...(clearance ? [{type: 'line', xref: 'paper', x0: 0, x1: 1, y0: clearance, y1: clearance, line: {color: css('--bad'), width: 1.2, dash: 'dash'}}] : [])];
