@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
 
-#include "compare/base/units.h"
+#include "compare/base/format.h"
 
 namespace rotorub::sweep {
 namespace {
@@ -23,36 +22,6 @@ struct Settlement {
   std::string attractor;
   Numbers values;
 };
-
-// A key in words: "contact friction", "rotor disc 2 eccentricity".
-std::string in_words(const std::string& key) {
-  std::string words;
-  for (std::size_t k = 0; k < key.size(); ++k) {
-    if (key[k] == '[') {
-      const std::size_t end = key.find(']', k);
-      words += fmt::format(" {}", std::stoi(key.substr(k + 1, end - k - 1)) + 1);
-      k = end;
-    } else {
-      words += key[k] == '.' || key[k] == '_' ? ' ' : key[k];
-    }
-  }
-  return words;
-}
-
-// The unit in which people read a value in SI of this size: mm for a clearance.
-ShownUnit usual_unit(const Vary& vary, double value) {
-  const ShownUnit unit = shown_unit(vary.unit);
-  const double size = std::abs(value);
-  if ((unit.name == "m" || unit.name == "s") && size > 0.0 && size < 0.1)
-    return size < 1e-4 ? ShownUnit{"µ" + unit.name, kMicro} : ShownUnit{"m" + unit.name, kMilli};
-  if (unit.name.starts_with('N') && size >= 1e4) return {"k" + unit.name, 1.0 / kMilli};
-  return unit;
-}
-
-std::string value_text(const Vary& vary, double value) {
-  const ShownUnit unit = usual_unit(vary, value);
-  return fmt::format("{:.4g}{}{}", unit.per_si * value, unit.name.empty() ? "" : " ", unit.name);
-}
 
 // The points of one attractor among all.
 class Region {
@@ -120,15 +89,15 @@ class Region {
     if (!is_cut || (is_partial && study_.vary.size() > 2)) return "";
     const auto [from, to] = std::pair(*least->values[k], *most->values[k]);
     const Vary& vary = study_.vary[k];
-    std::string text =
-        fmt::format("{} {} {} {}", attractor_, is_upper ? "from" : "up to", in_words(vary.key),
-                    from == to ? value_text(vary, from)
-                               : fmt::format("{:.4g} to {}", from * usual_unit(vary, to).per_si,
-                                             value_text(vary, to)));
+    std::string text = fmt::format(
+        "{} {} {} {}", attractor_, is_upper ? "from" : "up to", key_in_words(vary.key),
+        from == to ? usual_text(from, vary.unit)
+                   : fmt::format("{:.4g} to {}", from * usual_unit(to, vary.unit).per_si,
+                                 usual_text(to, vary.unit)));
     if (is_upper) text += " up";
     std::vector<std::string> others;
     for (std::size_t j = 0; j < study_.vary.size(); ++j)
-      if (j != k) others.push_back(is_partial ? range_text(j) : in_words(study_.vary[j].key));
+      if (j != k) others.push_back(is_partial ? range_text(j) : key_in_words(study_.vary[j].key));
     if (others.empty()) return text;
     return text + fmt::format(", {} {}",
                               is_partial   ? "for"
@@ -146,8 +115,9 @@ class Region {
     const auto [least, most] = std::ranges::minmax_element(all_, {}, number);
     if (number(*low) == number(*least) && number(*high) == number(*most)) return "";
     const Vary& vary = study_.vary[k];
-    const std::string from = value_text(vary, *number(*low)), to = value_text(vary, *number(*high));
-    return fmt::format("{} {}{}", in_words(vary.key), from, from == to ? "" : " to " + to);
+    const std::string from = usual_text(*number(*low), vary.unit),
+                      to = usual_text(*number(*high), vary.unit);
+    return fmt::format("{} {}{}", key_in_words(vary.key), from, from == to ? "" : " to " + to);
   }
 
   const Study& study_;
@@ -207,9 +177,9 @@ std::vector<std::string> answer_of(Store& store, const Study& study) {
     hardest = fmt::format("The largest impact is {:.4g} N s, at point {}:", peak, row.whole(0));
     for (std::size_t k = 0; k < keys; ++k) {
       const int at = static_cast<int>(k) + 1;
-      hardest +=
-          fmt::format("{} {} {}", k > 0 ? "," : "", in_words(study.vary[k].key),
-                      is_word(row, at) ? row.text(at) : value_text(study.vary[k], row.number(at)));
+      hardest += fmt::format(
+          "{} {} {}", k > 0 ? "," : "", key_in_words(study.vary[k].key),
+          is_word(row, at) ? row.text(at) : usual_text(row.number(at), study.vary[k].unit));
     }
   });
   std::vector<std::string> sentences;
