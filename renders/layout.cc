@@ -93,8 +93,7 @@ PanelLayout panel_of(const Area& area, FilmView view, int charts, bool contact) 
 
 Layout make_layout(int width, int height, FilmView view, int panels, int charts, bool contact) {
   Layout layout;
-  layout.text_size =
-      std::max(9, static_cast<int>(std::lround(height / (panels > 1 ? 48.0 : 42.0))));
+  layout.text_size = std::max(11, static_cast<int>(std::lround(height / 42.0)));
   const int header = 2 * layout.text_size;
   layout.header = {0, 0, width, header};
   const int each = width / panels;

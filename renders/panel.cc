@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -141,8 +142,7 @@ void Panel::draw(const Sheet& picture, const Instant& instant, const std::vector
   if (layout_.machine.width > 0) {
     write_machine_text(picture.part(layout_.machine));
   } else {
-    write_key(picture.part(layout_.section.width > 0 ? layout_.section : layout_.unrolled),
-              film_->text_size);
+    write_key(picture.part(layout_.section.width > 0 ? layout_.section : layout_.unrolled), "");
   }
   write_caption(picture.part(layout_.caption), instant);
   if (!charts_.empty()) draw_charts(picture, instant, further);
@@ -176,54 +176,121 @@ std::string strobe_text(const Strobe& strobe) {
 }
 
 void Panel::write_machine_text(Sheet sheet) const {
-  const int size = film_->text_size;
   const Machine& machine = film_->machine;
-  std::string text = fmt::format("displacements ×{:.4g}", machine.magnification);
-  if (machine.schematic) text += ", shaft schematic";
-  const double x = sheet.text(size, sheet.area().height - 1.6 * size, text, size, palette::kInk);
-  write_key(sheet, x + size);
+  write_key(sheet, fmt::format("displacements ×{:.4g}{}", machine.magnification,
+                               machine.schematic ? ", shaft schematic" : ""));
 }
 
-// The meaning of the colours, at the bottom of the area from x on, as far as there is room.
-void Panel::write_key(Sheet sheet, double x) const {
-  if (!film_->has_contact()) return;
+// The heading and the meaning of the colours, at the bottom of the area in as many lines as they
+// need.
+void Panel::write_key(Sheet sheet, const std::string& heading) const {
   const int size = film_->text_size;
-  const double y = sheet.area().height - 1.6 * size;
   const bool loads = !film_->machine.loads.empty() && layout_.machine.width > 0;
-  const struct {
-    const char* name;
+  struct Entry {
+    std::string name;
     Color color;
-    bool seen;
-  } entries[] = {{"path", palette::kTrail, layout_.machine.width == 0 || layout_.section.width > 0},
-                 {"normal force", palette::kNormal, !film_->scales.impulses},
-                 {"friction", palette::kFriction, layout_.section.width > 0},
-                 {"control", palette::kControl, film_->scales.control.high > 0.0},
-                 {"load", palette::kLoad, loads},
-                 {"impact", palette::kStrike, !run_->playback.strikes().empty()}};
-  for (const auto& [name, color, seen] : entries) {
-    const double end = x + 1.8 * size + sheet.text_width(name, size);
-    if (!seen || end > sheet.area().width) continue;
-    sheet.fill(x, y, end - x, 1.2 * size, palette::kBackground.with_alpha(0.8));
-    sheet.fill(x, y + 0.15 * size, 0.6 * size, 0.6 * size, color);
-    sheet.text(x + 0.9 * size, y, name, size, palette::kFaintInk);
-    x = end;
+    bool seen, is_heading = false;
+    double x = 0.0;
+    int line = 0;
+  };
+  std::vector<Entry> entries = {{heading, palette::kInk, !heading.empty(), true}};
+  if (film_->has_contact()) {
+    const bool path = layout_.machine.width == 0 || layout_.section.width > 0;
+    entries.insert(entries.end(),
+                   {{"path", palette::kTrail, path},
+                    {"normal force", palette::kNormal, !film_->scales.impulses},
+                    {"friction", palette::kFriction, layout_.section.width > 0},
+                    {"control", palette::kControl, film_->scales.control.high > 0.0},
+                    {"load", palette::kLoad, loads},
+                    {"impact", palette::kStrike, !run_->playback.strikes().empty()}});
+  }
+  std::erase_if(entries, [](const Entry& entry) { return !entry.seen; });
+  double x = size;
+  int line = 0;
+  for (Entry& entry : entries) {
+    const double width = sheet.text_width(entry.name, size) + (entry.is_heading ? 0.0 : 0.9 * size);
+    if (x > size && x + width > sheet.area().width) {
+      x = size;
+      ++line;
+    }
+    entry.x = x;
+    entry.line = line;
+    x += width + 0.9 * size;
+  }
+  for (const Entry& entry : entries) {
+    const double y = sheet.area().height - (1.6 + 1.5 * (line - entry.line)) * size;
+    const double text = entry.x + (entry.is_heading ? 0.0 : 0.9 * size);
+    sheet.fill(entry.x, y, text - entry.x + sheet.text_width(entry.name, size), 1.2 * size,
+               palette::kBackground.with_alpha(0.8));
+    if (!entry.is_heading)
+      sheet.fill(entry.x, y + 0.15 * size, 0.6 * size, 0.6 * size, entry.color);
+    sheet.text(text, y, entry.name, size, entry.is_heading ? palette::kInk : palette::kFaintInk);
   }
 }
 
-// Scale bars for the clearance and the forces.
+namespace {
+
+// Boxes of one size in the corners of a picture: each in the first corner where it covers neither
+// the disc in the middle nor an earlier box, otherwise in the first corner.
+class Corners {
+ public:
+  // reach: the disc's radius. top: where the first box may begin. bottom: the room that is taken at
+  // the lower left; no box is there if it is negative.
+  Corners(const Area& area, double reach, double top, double bottom)
+      : width_(area.width), height_(area.height), reach_(reach), used_{top, top, bottom} {}
+
+  // The upper left corner of the next box.
+  Sheet::Point next(double wide, double high) {
+    int chosen = 0;
+    for (int corner = 2; corner >= 0; --corner)
+      if (is_free(place(corner, wide, high), wide, high) && used_[corner] >= 0.0) chosen = corner;
+    const Sheet::Point at = place(chosen, wide, high);
+    used_[chosen] += high;
+    taken_.push_back({at, {wide, high}});
+    return at;
+  }
+
+ private:
+  // Corners: upper left, upper right, lower left.
+  Sheet::Point place(int corner, double wide, double high) const {
+    return {corner == 1 ? width_ - wide : 0.0,
+            corner == 2 ? height_ - used_[corner] - high : used_[corner]};
+  }
+  bool is_free(const Sheet::Point& at, double wide, double high) const {
+    const Sheet::Point middle(0.5 * width_, 0.5 * height_), size(wide, high);
+    const Sheet::Point nearest = middle.cwiseMax(at).cwiseMin(at + size);
+    return (nearest - middle).norm() >= reach_ && std::ranges::none_of(taken_, [&](const Box& box) {
+             return ((at - box.at).array() < box.size.array()).all() &&
+                    ((box.at - at).array() < size.array()).all();
+           });
+  }
+
+  struct Box {
+    Sheet::Point at, size;
+  };
+  double width_, height_, reach_;
+  std::array<double, 3> used_;  // pixels at the corners
+  std::vector<Box> taken_;
+};
+
+}  // namespace
+
+// Scale bars for the clearance and the forces, beside the ring.
 void Panel::write_scale_bars(Sheet sheet) const {
   const Area& area = sheet.area();
-  const int size = std::min(film_->text_size, std::max(9, area.height / 26));
+  const int size = std::min(film_->text_size, std::max(11, area.height / 20));
   const double pixels = film_->section_view->pixels(area);
   const DrawnContact& contact = *film_->section.contact;
-  // Below the caption and its remark on the whirl, where there is no actuator.
-  double y = (layout_.section.left == layout_.caption.left ? 3.4 : 2.2) * size;
+  const bool below_caption =
+      layout_.section.left == layout_.caption.left && layout_.section.top == layout_.caption.top;
+  Corners corners(
+      area, film_->section_view->reach(area), (below_caption ? 3.4 : 0.3) * size,
+      film_->section.support.actuators ? -1.0 : (film_->contacts() > 1 ? 2.0 : 0.3) * size);
   const auto bar = [&](double length, const std::string& text, const Color& color) {
-    const double wide = std::max(length, sheet.text_width(text, size));
-    sheet.fill(0.6 * size, y, wide + 0.8 * size, 1.7 * size, palette::kBackground.with_alpha(0.8));
-    sheet.text(size, y, text, size, palette::kInk);
-    sheet.fill(size, y + 1.2 * size, length, 3.0, color);
-    y += 1.9 * size;
+    const double wide = std::max(length, sheet.text_width(text, size)) + 1.2 * size;
+    const Sheet::Point at = corners.next(wide, 1.9 * size);
+    sheet.text(at.x() + 0.6 * size, at.y(), text, size, palette::kInk);
+    sheet.fill(at.x() + 0.6 * size, at.y() + 1.2 * size, length, 3.0, color);
   };
   const double longest = kArrowShare * contact.rotor_radius * pixels;
   bar(contact.clearance * pixels, "clearance " + length_text(film_->clearance), palette::kInk);
@@ -242,8 +309,12 @@ void Panel::write_scale_bars(Sheet sheet) const {
     bar(kCurrentShare * contact.rotor_radius * pixels,
         "coil current " + value_text(film_->scales.current.high, "A"), palette::kCurrent);
   }
-  sheet.text_to(area.width - 0.6 * size, area.height - 1.5 * size,
-                fmt::format("×{:.4g}", film_->section.magnification), size, palette::kInk);
+  const std::string magnified = fmt::format("×{:.4g}", film_->section.magnification);
+  const std::string in_full = "displacements " + magnified;
+  // Beside the spring in the middle.
+  const bool fits = sheet.text_width(in_full, size) < 0.4 * area.width;
+  sheet.text_to(area.width - 0.6 * size, area.height - 1.5 * size, fits ? in_full : magnified, size,
+                palette::kInk);
 }
 
 void Panel::draw_charts(const Sheet& picture, const Instant& instant,

@@ -71,7 +71,7 @@ class Panel {
                      const std::vector<Instant>& further, const Pose* ghost) const;
   void write_caption(Sheet sheet, const Instant& instant) const;
   void write_machine_text(Sheet sheet) const;
-  void write_key(Sheet sheet, double x) const;
+  void write_key(Sheet sheet, const std::string& heading) const;
   void write_scale_bars(Sheet sheet) const;
 
   const FilmParts* film_;

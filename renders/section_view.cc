@@ -15,8 +15,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kMargin = 1.06;       // of the picture around the drawing
-constexpr double kSupportReach = 0.5;  // from ring to wall, relative to the rotor's radius
+constexpr double kMargin = 1.06;        // of the picture around the drawing
+constexpr double kSupportReach = 0.5;   // from ring to wall, relative to the rotor's radius
+constexpr double kHousingWidth = 0.14;  // around a fixed ring, relative to the rotor's radius
 constexpr double kPi = std::numbers::pi;
 
 Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
@@ -61,7 +62,7 @@ struct Drawing {
     const double unit = contact.rotor_radius;
     if (support.fixed) {
       sheet.ring(at(section.ring), contact.ring_outer * pixels,
-                 (contact.ring_outer + 0.14 * unit) * pixels, palette::kHousing);
+                 (contact.ring_outer + kHousingWidth * unit) * pixels, palette::kHousing);
       return;
     }
     const auto held = [&](double angle, const auto& draw) {
@@ -199,6 +200,7 @@ SectionView::SectionView(const Machine& machine, double motion) : machine_(machi
   assert(machine.contact.has_value());
   const DrawnContact& contact = *machine.contact;
   const double moved = contact.ring_outer + machine.displaced(motion);
+  reach_ = moved + (machine.support.fixed ? kHousingWidth * contact.rotor_radius : 0.0);
   wall_ = moved + kSupportReach * contact.rotor_radius;
   const bool held =
       machine.support.spring_x || machine.support.spring_y || machine.support.actuators;

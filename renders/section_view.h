@@ -22,9 +22,12 @@ class SectionView {
   void draw(Sheet& sheet, const Instant& instant, const Pose* ghost) const;
   // Pixels per drawing unit in this area.
   double pixels(const Area& area) const;
+  // Pixels from the middle of this area that the ring, or its housing, can reach.
+  double reach(const Area& area) const { return reach_ * pixels(area); }
 
  private:
   Machine machine_;
+  double reach_;      // of the ring, from the middle, drawing units
   double wall_;       // radius where springs and actuators end
   double half_size_;  // of the shorter side of the visible region, drawing units
 };

@@ -28,6 +28,34 @@ std::string time_text(double seconds) {
   return fmt::format("{:.6g} s", seconds);
 }
 
+std::string key_in_words(std::string_view key) {
+  std::string words;
+  for (std::size_t k = 0; k < key.size(); ++k) {
+    if (key[k] == '[') {
+      const std::size_t end = key.find(']', k);
+      words += fmt::format(" {}", std::stoi(std::string(key.substr(k + 1, end - k - 1))) + 1);
+      k = end;
+    } else {
+      words += key[k] == '.' || key[k] == '_' ? ' ' : key[k];
+    }
+  }
+  return words;
+}
+
+ShownUnit usual_unit(double value, std::string_view unit) {
+  const double size = std::abs(value);
+  const std::string name(unit);
+  if ((name == "m" || name == "s") && size > 0.0 && size < 0.1)
+    return size < 1e-4 ? ShownUnit{"µ" + name, kMicro} : ShownUnit{"m" + name, kMilli};
+  if (name.starts_with('N') && size >= 1e4) return {"k" + name, 1.0 / kMilli};
+  return shown_unit(unit);
+}
+
+std::string usual_text(double value, std::string_view unit) {
+  const ShownUnit shown = usual_unit(value, unit);
+  return fmt::format("{:.4g}{}{}", shown.per_si * value, shown.name.empty() ? "" : " ", shown.name);
+}
+
 namespace {
 // Columns of UTF-8 text on a terminal: one for each character, "µ" included.
 std::size_t columns_of(std::string_view text) {

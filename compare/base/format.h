@@ -4,6 +4,9 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
+
+#include "compare/base/units.h"
 
 namespace rotorub {
 
@@ -13,6 +16,13 @@ std::string short_number(double value);
 std::string percent_text(double share);
 // A time with a fitting unit: "10 µs", "0.5 s".
 std::string time_text(double seconds);
+
+// A scene's key in words: "contact friction", "rotor disc 2 eccentricity".
+std::string key_in_words(std::string_view key);
+// The unit in which people read a value in SI of this size: mm for a clearance, kN/m for a spring.
+ShownUnit usual_unit(double value, std::string_view unit);
+// The value in this unit: "0.4 mm".
+std::string usual_text(double value, std::string_view unit);
 
 inline constexpr std::size_t kTerminalWidth = 80;
 // Wraps a sentence into lines of at most kTerminalWidth. The first line begins with `lead`; the

@@ -14,7 +14,7 @@
 #include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
 #include "compare/report/beside.h"
-#include "compare/report/page_frame.h"
+#include "compare/report/page.h"
 #include "compare/result/result.h"
 #include "native_model/trajectory/output.h"
 

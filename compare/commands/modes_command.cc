@@ -22,7 +22,7 @@
 #include "compare/modes/rub_branches_text.h"
 #include "compare/modes/rub_key_map.h"
 #include "compare/modes/rub_map_text.h"
-#include "compare/report/page_frame.h"
+#include "compare/report/page.h"
 #include "compare/result/result.h"
 #include "compare/sweep/study_reader.h"
 #include "native_model/linear/levitation.h"

@@ -15,7 +15,7 @@
 #include "compare/optimise/goal.h"
 #include "compare/optimise/optimiser.h"
 #include "compare/optimise/output.h"
-#include "compare/report/page_frame.h"
+#include "compare/report/page.h"
 #include "compare/result/result.h"
 #include "native_model/scene/overrides.h"
 #include "native_model/scene/reader.h"

@@ -12,7 +12,6 @@
 #include "compare/base/columns.h"
 #include "compare/commands/terminal.h"
 #include "compare/report/page.h"
-#include "compare/report/page_frame.h"
 #include "compare/result/result.h"
 #include "compare/run_files/run_directory.h"
 #include "compare/run_files/summary.h"

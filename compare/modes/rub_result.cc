@@ -167,6 +167,11 @@ std::vector<Part> driven_parts(const RubAnalysis& analysis) {
   return parts;
 }
 
+// Why there are no lasting rubs.
+Sentence refusal(const std::string& reason) {
+  return {.text = reason, .lead = "lasting rubs: ", .indent = 2};
+}
+
 }  // namespace
 
 // The lasting rubs of every contact, below the place of each speed.
@@ -195,10 +200,9 @@ std::vector<Part> rubs_parts(const RotorAnalysis& analysis) {
       parts.insert(parts.end(), {line(""), std::move(rub)});
     }
     if (!rubs.refused.empty() && !same_refusal)
-      parts.emplace_back(line(fmt::format("\nlasting rubs: {}", rubs.refused)));
+      parts.insert(parts.end(), {line(""), refusal(rubs.refused)});
   }
-  if (same_refusal)
-    parts.emplace_back(line(fmt::format("\nlasting rubs: {}", analysis.rubs.front().refused)));
+  if (same_refusal) parts.insert(parts.end(), {line(""), refusal(analysis.rubs.front().refused)});
   const auto is_refused = [](const RubAnalyses& rubs) { return !rubs.refused.empty(); };
   if (analysis.periodic_rubs) {
     parts.emplace_back(periodic_rubs_result(*analysis.periodic_rubs));

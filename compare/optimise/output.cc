@@ -75,8 +75,7 @@ Section best_of(const Task& task, const Optimum& optimum) {
   for (std::size_t k = 0; k < best.values.size(); ++k) {
     const sweep::Vary& vary = task.study.vary[k];
     const bool at_end = end_of(task, k, best.values[k]) != End::kNone;
-    const ShownUnit unit = shown_unit(vary.unit);
-    places.push_back(vary.key + " =" + item(unit.per_si * best.values[k], unit.name).text);
+    places.push_back(key_in_words(vary.key) + " " + usual_text(best.values[k], vary.unit));
     values.rows.push_back(
         {vary.key,
          {{.text = vary.key},

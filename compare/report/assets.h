@@ -14,6 +14,6 @@ std::string_view packed_plotly_js();
 std::string_view report_js();
 std::string_view still_js();
 std::string_view native_worker_js();  // runs the native model in a page (what_if.h)
-std::string_view page_html();         // the frame of every page (page_frame.h)
+std::string_view page_html();         // the frame of every page (page.h)
 
 }  // namespace rotorub

@@ -19,7 +19,11 @@ namespace {
 using nlohmann::json;
 using Numbers = std::vector<double>;
 
-constexpr std::size_t kMostShown = 50000;  // samples
+// One of so many samples is shown.
+std::size_t every_shown(std::size_t samples) {
+  constexpr std::size_t kMostShown = 50000;
+  return (samples + kMostShown - 1) / kMostShown;
+}
 
 // Columns of the record that form one track, at the samples where all of them have values.
 struct ShownColumns {
@@ -35,7 +39,7 @@ std::optional<ShownColumns> shown_columns(const MeasuredRecord& laid,
     columns.push_back(laid.find(name));
     if (!columns.back()) return std::nullopt;
   }
-  const std::size_t every = (laid.t.size() + kMostShown - 1) / kMostShown;
+  const std::size_t every = every_shown(laid.t.size());
   ShownColumns shown;
   shown.value.resize(columns.size());
   bool broken = false;
@@ -62,7 +66,6 @@ class SideMaker {
     const scene::Scene& scene = *shown_.scene;
     add_even("rotor", {"rotor_x", "rotor_y"}, place_tolerance(scene));
     add_even("ring", {"ring_x", "ring_y"}, place_tolerance(scene));
-    if (!tracks_.contains("ring")) add_fixed_ring(scene);
     if (scene.first().contact) {
       const double least = gap_tolerance(scene.first().contact->clearance);
       add("gap", {"gap"}, [&](const std::vector<Numbers>& value) {
@@ -80,19 +83,9 @@ class SideMaker {
     add("spin_speed", {"spin_speed"}, [](const std::vector<Numbers>& value) {
       return Numbers(value.front().size(), std::max(range_tolerance(value.front()), 1e-300));
     });
-    // It has no impacts at any contact.
-    json none = json::object();
-    for (const char* list : {"t", "normal", "friction", "before", "after", "slip"})
-      none[list] = json::array();
-    return {{"label", kMeasured},
-            {"measured", true},
-            {"status", to_string(Status::kOk)},
-            {"start", laid_.t.front()},
-            {"end", laid_.t.back()},
-            {"tracks", tracks_},
-            {"holes", holes_},
-            {"whirl", whirl(limit)},
-            {"impacts", json(scene.auxiliary.size(), none)}};
+    return {{"label", kMeasured},    {"measured", true},  {"start", laid_.t.front()},
+            {"end", laid_.t.back()}, {"tracks", tracks_}, {"holes", holes_},
+            {"whirl", whirl(limit)}};
   }
 
  private:
@@ -113,46 +106,29 @@ class SideMaker {
     });
   }
 
-  // A ring that cannot move stays at the scene's position, measured or not.
-  void add_fixed_ring(const scene::Scene& scene) {
-    const scene::AuxiliaryBearing& bearing = scene.first();
-    if (bearing.stator || !bearing.contact || bearing.contact->offset.isZero(0.0)) return;
-    const Eigen::Vector2d& offset = bearing.contact->offset;
-    const auto still = [](double place) { return Numbers{place, place}; };
-    Samples samples{{laid_.t.front(), laid_.t.back()},
-                    {still(offset.x()), still(offset.y())},
-                    {},
-                    Numbers(2, place_tolerance(scene))};
-    tracks_["ring"] = track_json(pack(TrackKind::kLinear, samples));
-  }
-
   // From the second half of the record, as for the other runs; and its distance from the first run
   // at the samples.
   json whirl(double limit) const {
-    json all = {{"spectrum", nullptr}, {"waterfall", nullptr}, {"poincare", nullptr},
-                {"residual", nullptr}, {"orders", nullptr},    {"cascade", nullptr}};
+    json all = json::object();
     const auto rotor = shown_columns(laid_, {"rotor_x", "rotor_y"});
     if (!rotor) return all;
-    const double to = rotor->t.back(), from = 0.5 * (rotor->t.front() + to);
-    const auto count = static_cast<std::size_t>(
-        std::count_if(rotor->t.begin(), rotor->t.end(), [&](double t) { return t >= from; }));
+    const Numbers &t = rotor->t, &x = rotor->value[0], &y = rotor->value[1];
+    const double from = 0.5 * (t.front() + t.back());
+    const auto count = static_cast<std::size_t>(t.end() - std::ranges::lower_bound(t, from));
     if (2 * count >= kLeastSpectrumRows) {
-      const double h = (to - from) / static_cast<double>(count - 1);
-      const Numbers at = even_times(from, to, count);
       std::vector<std::complex<double>> z;
-      for (std::size_t k = 0; k < rotor->t.size(); ++k)
-        z.emplace_back(rotor->value[0][k], rotor->value[1][k]);
-      z = linear(rotor->t, z, at);
-      all["spectrum"] = spectrum_data(z, h, limit);
+      for (std::size_t k = 0; k < t.size(); ++k) z.emplace_back(x[k], y[k]);
+      all["spectrum"] = spectrum_data(linear(t, z, even_times(from, t.back(), count)),
+                                      (t.back() - from) / static_cast<double>(count - 1), limit);
     }
     const SampledRun first(*shown_.runs.front().trajectory);
-    const SampleTimes times = sample_times(rotor->t, laid_.interval);
-    const Numbers x = first.values(*laid_.find("rotor_x")->what, times),
-                  y = first.values(*laid_.find("rotor_y")->what, times);
+    const SampleTimes times = sample_times(t, laid_.interval);
+    const Numbers first_x = first.values(*laid_.find("rotor_x")->what, times),
+                  first_y = first.values(*laid_.find("rotor_y")->what, times);
     Numbers distance;
-    for (std::size_t i = 0; i < x.size(); ++i)
-      distance.push_back(std::hypot(rotor->value[0][i] - x[i], rotor->value[1][i] - y[i]));
-    all["residual"] = series(rotor->t, distance);
+    for (std::size_t i = 0; i < t.size(); ++i)
+      distance.push_back(std::hypot(x[i] - first_x[i], y[i] - first_y[i]));
+    all["residual"] = series(t, distance);
     return all;
   }
 
@@ -173,14 +149,11 @@ json sampled_force(const ShownRuns& shown, const std::string& label) {
   const std::vector<std::string>& labels = shown.measured->labels;
   const auto found = std::find(labels.begin(), labels.end(), label);
   if (found == labels.end()) return nullptr;
-  const std::vector<double>& force =
-      shown.measured->forces[static_cast<std::size_t>(found - labels.begin())];
-  const MeasuredRecord& laid = shown.measured->laid;
-  const std::size_t every = (laid.t.size() + kMostShown - 1) / kMostShown;
-  Samples samples;
-  samples.value.resize(1);
-  for (std::size_t i = 0; i < laid.t.size(); i += every) {
-    samples.t.push_back(laid.t[i]);
+  const Numbers& force = shown.measured->forces[static_cast<std::size_t>(found - labels.begin())];
+  const Numbers& t = shown.measured->laid.t;
+  Samples samples{{}, {{}}, {}, {}};
+  for (std::size_t i = 0; i < t.size(); i += every_shown(t.size())) {
+    samples.t.push_back(t[i]);
     samples.value[0].push_back(force[i]);
   }
   samples.tolerance = force_tolerance(samples.value);

@@ -11,10 +11,10 @@ namespace rotorub {
 // Its label, which selects its colour in the page.
 inline constexpr const char* kMeasured = "measured";
 
-// Like the other sides of plot_data(), with {"measured": true, "start", "holes"}. The
-// tracks contain only measured quantities, linear between at most 50,000 samples. holes: for each
-// track the gaps of the record ([from, to], s), which the plots leave open. null without
-// shown.measured. limit: of its spectrum, Hz.
+// {"label", "measured": true, "start", "end", "tracks", "holes", "whirl": "spectrum" and "residual"
+// of whirl_plots.h}. The tracks contain only measured quantities, linear between at most 50,000
+// samples. holes: for each track the gaps of the record ([from, to], s), which the plots leave
+// open. null without shown.measured. limit: of its spectrum, Hz.
 nlohmann::json measured_side(const ShownRuns& shown, double limit);
 
 // The track of the contact force in the run of this label, averaged over the record's samples, in

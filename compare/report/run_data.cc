@@ -44,6 +44,7 @@ json run_data(const scene::Scene& scene, const std::string& label, const Traject
   return {{"label", label},
           {"end", run.end},
           {"status", to_string(run.status)},
+          {"message", run.message},
           {"engine", run.engine},
           {"integrator", run.integrator},
           {"contact", run.contact_model},

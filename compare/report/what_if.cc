@@ -1,11 +1,11 @@
 #include "compare/report/what_if.h"
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
+#include "compare/base/json.h"
 #include "compare/base/module_file.h"
 #include "compare/base/plot_points.h"
 #include "native_model/control/library_file.h"
@@ -22,15 +22,6 @@ using scene::TomlNode;
 
 constexpr const char* kNativeModule = "rotorub_native.wasm.gz";
 
-// The unit for people; empty if dimensionless.
-std::string unit_of(const scene::Quantity& quantity, double value) {
-  const std::string_view si = quantity.unit;
-  if (si == "1") return "";
-  if (si == "m") return std::abs(value) < 1e-4 ? "um" : "mm";
-  if (si == "rad/s") return "rpm";
-  return si == "s" ? "ms" : std::string(si);
-}
-
 // Other keys that hold the rotor's speed: the drive's, and frequencies of forces that follow the
 // speed.
 json keeping_step(const TomlNode& root, double speed) {
@@ -42,20 +33,15 @@ json keeping_step(const TomlNode& root, double speed) {
 }
 
 json slider(const TomlNode& root, const Adjustable& of) {
-  const scene::Key& key = *of.key;
-  const std::string unit = unit_of(key.quantity, of.value);
-  const double factor = 1.0 / scene::parse_quantity("1 " + unit, key.quantity).value;
-  const bool bounded = std::isfinite(key.range.low) && std::isfinite(key.range.high);
-  const bool from_zero = key.range.low == 0.0 && !key.range.low_open;
-  const double low = bounded ? key.range.low : from_zero ? 0.0 : 0.25 * of.value;
-  const double high = bounded ? key.range.high : 2.0 * of.value;
+  const scene::Range& range = of.key->range;
   return {{"key", of.path},
           {"also", of.path == "rotor.speed" ? keeping_step(root, of.value) : json::array()},
-          {"unit", unit},
-          {"value", factor * of.value},
-          {"low", factor * std::min(low, high)},
-          {"high", factor * std::max(low, high)},
-          {"meaning", key.meaning}};
+          {"unit", of.key->quantity.unit},
+          {"value", of.value},
+          {"low", number_or_null(range.low)},
+          {"low_open", range.low_open},
+          {"high", number_or_null(range.high)},
+          {"meaning", of.key->meaning}};
 }
 
 json all_sliders(const TomlNode& root) {

@@ -13,10 +13,10 @@ namespace rotorub {
 // std::runtime_error if it cannot be read.
 std::string native_module();
 
-// [{"key", "also": keys that change with it, "unit", "value", "low", "high" (all in the unit),
-// "meaning"}], for --set and for people. The range is the schema's if it has two ends, otherwise
-// from 0 or a quarter of the value to twice the value. Empty for a scene that the module cannot
-// run: one with libraries or without text.
+// [{"key", "also": keys that change with it, "unit", "value", "low", "low_open", "high",
+// "meaning"}] in SI, from which page/what_if.js makes sliders. low and high: the ends of the
+// schema's range, null where it has none. Empty for a scene that the module cannot run: one with
+// libraries or without text.
 nlohmann::json sliders_of(const scene::Scene& scene);
 
 // {"name": the scene's file, "sliders"}; null without sliders, and if the module was not built.

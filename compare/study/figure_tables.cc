@@ -286,6 +286,9 @@ std::vector<Part> split_parts(const SceneComparison& c) {
   }
   std::ranges::find(table.columns, "native step", &result::Column::heading)->seen =
       static_cast<result::Audience>(native_steps);
+  // A terminal has no headings above nothing, as for a scene without contact.
+  if (std::ranges::none_of(table.rows, [](const Row& row) { return row.seen == result::kPeople; }))
+    table.seen = kPage;
   std::vector<Part> parts{std::move(table)};
   if (unsure) {
     parts.emplace_back(

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "compare/base/units.h"
+#include "compare/base/format.h"
 
 namespace rotorub::sweep {
 namespace {
@@ -22,11 +22,6 @@ struct Settlement {
   std::string attractor;
   Numbers values;
 };
-
-std::string value_text(const Vary& vary, double value) {
-  const ShownUnit unit = shown_unit(vary.unit);
-  return fmt::format("{:.4g}{}{}", unit.per_si * value, unit.name.empty() ? "" : " ", unit.name);
-}
 
 // The points of one attractor among all.
 class Region {
@@ -69,7 +64,7 @@ class Region {
     return lines;
   }
 
-  // "bouncing from contact.friction = 0.2 up, at every rotor.speed"; empty if the region has
+  // "bouncing from contact friction 0.2 up, at every rotor speed"; empty if the region has
   // another form. is_upper: it lies above its bound.
   std::string bounded_text(std::size_t k, bool is_upper) const {
     if (study_.kind != SampleKind::kGrid || !study_.vary[k].has_numbers()) return "";
@@ -94,15 +89,15 @@ class Region {
     if (!is_cut || (is_partial && study_.vary.size() > 2)) return "";
     const auto [from, to] = std::pair(*least->values[k], *most->values[k]);
     const Vary& vary = study_.vary[k];
-    std::string text =
-        fmt::format("{} {} {} = {}", attractor_, is_upper ? "from" : "up to", vary.key,
-                    from == to ? value_text(vary, from)
-                               : fmt::format("{:.4g} to {}", from * shown_unit(vary.unit).per_si,
-                                             value_text(vary, to)));
+    std::string text = fmt::format(
+        "{} {} {} {}", attractor_, is_upper ? "from" : "up to", key_in_words(vary.key),
+        from == to ? usual_text(from, vary.unit)
+                   : fmt::format("{:.4g} to {}", from * usual_unit(to, vary.unit).per_si,
+                                 usual_text(to, vary.unit)));
     if (is_upper) text += " up";
     std::vector<std::string> others;
     for (std::size_t j = 0; j < study_.vary.size(); ++j)
-      if (j != k) others.push_back(is_partial ? range_text(j) : study_.vary[j].key);
+      if (j != k) others.push_back(is_partial ? range_text(j) : key_in_words(study_.vary[j].key));
     if (others.empty()) return text;
     return text + fmt::format(", {} {}",
                               is_partial   ? "for"
@@ -111,7 +106,7 @@ class Region {
                               fmt::join(others, " and "));
   }
 
-  // "rotor.speed 35 Hz to 80 Hz"; empty if the key takes all its values here, or words.
+  // "rotor speed 35 Hz to 80 Hz"; empty if the key takes all its values here, or words.
   std::string range_text(std::size_t k) const {
     if (!study_.vary[k].has_numbers()) return "";
     const auto number = [k](const Settlement& s) { return s.values[k]; };
@@ -120,8 +115,9 @@ class Region {
     const auto [least, most] = std::ranges::minmax_element(all_, {}, number);
     if (number(*low) == number(*least) && number(*high) == number(*most)) return "";
     const Vary& vary = study_.vary[k];
-    const std::string from = value_text(vary, *number(*low)), to = value_text(vary, *number(*high));
-    return fmt::format("{} {}{}", vary.key, from, from == to ? "" : " to " + to);
+    const std::string from = usual_text(*number(*low), vary.unit),
+                      to = usual_text(*number(*high), vary.unit);
+    return fmt::format("{} {}{}", key_in_words(vary.key), from, from == to ? "" : " to " + to);
   }
 
   const Study& study_;
@@ -181,9 +177,9 @@ std::vector<std::string> answer_of(Store& store, const Study& study) {
     hardest = fmt::format("The largest impact is {:.4g} N s, at point {}:", peak, row.whole(0));
     for (std::size_t k = 0; k < keys; ++k) {
       const int at = static_cast<int>(k) + 1;
-      hardest +=
-          fmt::format("{} {} = {}", k > 0 ? "," : "", study.vary[k].key,
-                      is_word(row, at) ? row.text(at) : value_text(study.vary[k], row.number(at)));
+      hardest += fmt::format(
+          "{} {} {}", k > 0 ? "," : "", key_in_words(study.vary[k].key),
+          is_word(row, at) ? row.text(at) : usual_text(row.number(at), study.vary[k].unit));
     }
   });
   std::vector<std::string> sentences;

@@ -45,8 +45,7 @@ json run(const char* text, const char* name, const std::vector<std::string>& cha
   const renders::Machine machine =
       renders::make_machine(scene, runs, playback.start(), playback.end(), std::nullopt);
   return {{"side", run_data(scene, "recomputed", last, nullptr, &machine, spectrum_reach(last))},
-          {"contacts", contact_values(scene)},
-          {"message", last.message}};
+          {"contacts", contact_values(scene)}};
 }
 
 const char* given(const json& value) {
@@ -58,7 +57,7 @@ const char* given(const json& value) {
 }  // namespace rotorub
 
 // Returns JSON that is valid until the next call: {"side": run_data.h, "contacts": the values of
-// each that may have changed, "message"}, or {"refused": reason}. changes: one per line,
+// each that may have changed}, or {"refused": reason}. changes: one per line,
 // "contact.friction=0.2".
 extern "C" const char* rotorub_run(const char* text, const char* name, const char* changes) {
   using namespace rotorub;

@@ -90,5 +90,5 @@ export function branchesFigure({branches, ...data}, figure) {
   const all = lines.flatMap((line) => line.y), isWide = Math.min(...all) > 0 && Math.max(...all) > 100 * Math.min(...all);
   return {data: [...lines, ...special], layout: layout({hovermode: 'closest', showlegend: true, legend: legend(), margin: {l: 72, r: 24, t: 30, b: 48},
     xaxis: axes({title: {text: nameOf(across), standoff: 6}, zeroline: false}),
-    yaxis: axes({title: {text: titles[figure], standoff: 8}, automargin: false, ...(isWide ? decades : {exponentformat: 'none', separatethousands: true})})})};
+    yaxis: axes({title: {text: titles[figure], standoff: 8}, automargin: false, ...(isWide ? decades(all) : {exponentformat: 'none', separatethousands: true})})})};
 }

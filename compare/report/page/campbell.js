@@ -119,16 +119,22 @@ function ceiling(campbell) {
   return 1.08 * Math.max(campbell.top / 60, ...highest.slice(0, 4));
 }
 
+// The names of the critical speeds, each to the upper left of its ring; a speed that is close to the one before stands higher.
+export function letteredSpeeds(critical, top) {
+  let level = 0;
+  return critical.map((n, k) => {
+    level = k > 0 && n - critical[k - 1] < 0.12 * top ? level + 1 : 0;
+    return {x: n, y: n / 60, text: `${number(n, 4)} rpm`, ax: n < 0.1 * top ? 40 : -40, ay: -22 - 18 * level, arrowhead: 0, arrowwidth: 1, standoff: 6,
+      arrowcolor: css('--soft'), bgcolor: css('--paper'), font: {color: css('--ink'), size: 12}};
+  });
+}
+
 export function campbellFigure({campbell}) {
   const {top, torsion, operating} = campbell, high = ceiling(campbell), scale = dampingScale(campbell.pieces);
   const critical = campbell.critical.filter((speed) => speed <= top);
   const ray = (times, dash) => ({type: 'scatter', x: [0, top], y: [0, times * top / 60], name: `${times}×`, mode: 'lines',
     line: {color: css('--ink'), width: 1.2, dash}, hoverinfo: 'skip'});
-  const speeds = {type: 'scatter', x: critical, y: critical.map((n) => n / 60), name: 'critical speed',
-    mode: 'markers+text', text: critical.map((n) => `${number(n, 4)} rpm`),
-    // The labels alternate between the two sides of 1x, because critical speeds come in close pairs.
-    textposition: critical.map((n, k) => (critical.length > 1 && k % 2 === 0 ? 'top left' : n > 0.75 * top ? 'bottom left' : 'bottom right')),
-    textfont: {color: css('--ink')}, cliponaxis: false,
+  const speeds = {type: 'scatter', x: critical, y: critical.map((n) => n / 60), name: 'critical speed', mode: 'markers', cliponaxis: false,
     marker: {color: css('--paper'), size: 10, line: {color: css('--ink'), width: 2}},
     hovertemplate: 'critical: %{x:.6g} rpm, %{y:.5g} Hz<extra></extra>'};
   const first = once();
@@ -144,6 +150,7 @@ export function campbellFigure({campbell}) {
       hovertemplate: `at the scene's speed: %{y:.5g} Hz, damping %{customdata:.3g} %<extra>${sense}</extra>`};
   });
   const {shapes, annotations} = marks(campbell, true);
+  annotations.push(...letteredSpeeds(critical, top));
   const above = torsion.filter((f) => f > high);
   if (above.length) {
     annotations.push({xref: 'paper', x: 1, xanchor: 'right', yref: 'paper', y: 0, yanchor: 'bottom', showarrow: false, bgcolor: css('--paper'),

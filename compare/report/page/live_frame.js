@@ -50,7 +50,7 @@ const plotOf = ({key, title, unit, text, shape, over, contact, place}) => html`
     <div class="plot" data-plot="${key}" data-over="${over}" data-contact="${contact}"></div></figure>`;
 
 const plotsOf = (scene, id) => html`
-  <section class="plots" id="${id}-plots" data-contents="plots" aria-label="plots over the run">
+  <section class="plots" id="${id}-plots" data-contents="Plots" aria-label="plots over the run">
     <div class="plot-bar">
       <div class="legend" role="group" aria-label="runs shown">${scene.sides.map(({label}) => html`
         <button type="button" class="legend-item" data-side="${label}" aria-pressed="true"><i class="swatch side-${label}"></i>${label}</button>`)}</div>
@@ -74,4 +74,4 @@ const transport = html`
   </div>`;
 
 export const liveOf = (scene, id) => html`
-  <div class="live" id="${id}-live" data-contents="live">${playerOf(scene)}${whatIfOf(scene)}${plotsOf(scene, id)}${transport}</div>`;
+  <div class="live" id="${id}-live" data-contents="Live">${playerOf(scene)}${whatIfOf(scene)}${plotsOf(scene, id)}${transport}</div>`;

@@ -72,7 +72,7 @@ const orbitCards = ({name, response}, at) => {
 
 function rubCards({name, rub, rub_refused: refused}, at) {
   const title = `Stable motions${name ? ` at contact "${name}"` : ''}`;
-  if (refused) return [{title, headline: 'not analysed', text: refused}];
+  if (refused) return [{title, headline: 'not analysed', text: refused.replace(/^\S*:\d+: /, '')}];  // without the file and the line
   if (!rub) return [];
   const unstable = rub.rubs.filter(({stable}) => !stable).length, against = rub.attractors.some((word) => ['backward whip', 'rolling'].includes(word));
   return [{title, link: rub.rubs.length ? '#rubs' : '', tone: against ? 'bad' : '', headline: rub.attractors.join(' + ') || 'none stable', text: `at ${at}` +
@@ -88,11 +88,13 @@ export function modesCards(rotor) {
   const whirl = levitation ? {...stabilityCard(found, isUnstable), text: 'without integrators, filters, amplifiers and sampling'} :
     stabilityCard(found, isUnstable);
   const places = contacts || [{name: '', response, rub, rub_refused: found.rub_refused}];
+  // A reason that applies to every contact is given once.
+  const isSameRefusal = places.every(({rub_refused: refused}) => refused && refused === places[0].rub_refused);
   return [speedCard(rotor, isUnstable), criticalCard(rotor, critical.map(({whirl}) => whirl)), ...loop,
     ...(levitation && !hasStableLoop ? [] : [whirl]),
     ...places.flatMap((place) => orbitCards(place, at)),
     ...notes.map((text) => ({title: `Response, ${at}`, headline: 'of limited validity', text})),
-    ...places.flatMap((place) => rubCards(place, at))];
+    ...(isSameRefusal ? rubCards({...places[0], name: ''}, at) : places.flatMap((place) => rubCards(place, at)))];
 }
 
 // Lists the peaks with their distance from the scene's speed and the distance that API 617 asks for. Where peaks nearly coincide, it

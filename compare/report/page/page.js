@@ -3,7 +3,7 @@ import {foldParts} from './fold.js';
 import {writeHead} from './head.js';
 import {unpacked} from './packed.js';
 import {offerFiles} from './save.js';
-import {forgetColours} from './style.js';
+import {forgetColours, growBy, legendBelow} from './style.js';
 import {choose, convertTexts, figureInUnits, siText, systems} from './unit_system.js';
 
 const root = document.documentElement;
@@ -65,11 +65,22 @@ function chooseUnits(draw) {
   });
 }
 
+// A legend above a narrow plot takes rows from it, so it stands below, and the plot grows.
+const kNarrow = 560;  // px
+function legendPlaced(plot, {data: traces, layout}) {
+  if (!layout.showlegend || layout.legend?.yref === 'container') return {data: traces, layout};
+  const names = [...new Set(traces.filter(({showlegend, name}) => showlegend !== false && name).map(({name}) => name))];
+  const isNarrow = plot.clientWidth < kNarrow, {legend, height} = legendBelow(names, plot.clientWidth);
+  growBy(plot, isNarrow ? height : 0);
+  return {data: traces, layout: isNarrow ? {...layout, legend, margin: {...layout.margin, t: 8, b: layout.margin.b + height}} : layout};
+}
+
 // Draws a figure {data, layout} in its place. The units are the chosen ones, except in maps, whose keys have their own units.
 // In print the figure has the size of its place. plot.factors: conversion of x and y from the figure's to the shown units.
 export function show(plot, figure) {
   const unit = plot.closest('figure')?.querySelector('figcaption .unit');
-  const {data: traces, layout, factors} = plot.closest('.map-set') ? {...figure, factors: {x: 1, y: 1}} : figureInUnits(figure, unit && siText(unit).trim());
+  const {data: traces, layout, factors} = plot.closest('.map-set') ? {...figure, factors: {x: 1, y: 1}} :
+    figureInUnits(legendPlaced(plot, figure), unit && siText(unit).trim());
   plot.factors = factors;
   const size = isPrinting() ? {width: plot.clientWidth, height: plot.clientHeight} : {};
   Plotly.react(plot, traces, {...layout, ...size}, {displaylogo: false, displayModeBar: false, responsive: !isPrinting()});

@@ -10,6 +10,7 @@ import {rotorOf} from './rotor_data.js';
 import {runParts} from './run_parts.js';
 import {stills} from './stills.js';
 import {tradeFigure, tradeOf} from './trade.js';
+import {slidersOf} from './what_if.js';
 import {windowsOf} from './windows.js';
 
 // The list of contents: an entry for every named part; the parts of a scene share a line.
@@ -22,7 +23,10 @@ function contentsOf(main) {
   return element('nav', {class: 'contents', 'aria-label': 'contents'}, list(parts.filter((part) => !sceneAround(part))));
 }
 
-for (const scene of data.scenes) Object.assign(scene, {rotor: rotorOf(scene.rotor), windows: windowsOf(scene)});
+for (const scene of data.scenes) {
+  const {rotor, what_if: asked} = scene;
+  Object.assign(scene, {rotor: rotorOf(rotor), windows: windowsOf(scene), what_if: asked && {...asked, sliders: slidersOf(asked.sliders)}});
+}
 data.maps = data.sweeps?.map(({plots}) => withRubs(plots));
 const main = document.querySelector('main');
 layOut(main, data.page.kind === 'run' ? runParts(data) : reportParts(data));

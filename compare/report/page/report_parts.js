@@ -78,10 +78,14 @@ const resyncWords = 'An onset is the first impulse after a flight of at least 10
 const splitWords = html`<p>Every difference is split in two. The <b>contact model</b>'s part remains when the step goes to 0 (Richardson extrapolation over
   dt, dt/2 and dt/4 on both sides); the <b>step</b>'s part vanishes with it. Figures that do not converge monotonically cannot be split, and
   are folded below.</p>`;
-function splitOf([table, ...notes]) {
-  const isSplit = ({mark}) => !mark, left = table.rows.filter((row) => !isSplit(row));
-  const folded = {details: `${left.length} differences that cannot be split between contact model and step`, class: 'folded', parts: [{...table, rows: left}]};
-  return [{markup: splitWords}, {...table, rows: table.rows.filter(isSplit)}, ...(left.length ? [folded] : []), ...notes];
+// Null without differences, as for a scene without contact.
+function splitOf(parts) {
+  const table = parts.find(({rows}) => rows?.length), notes = parts.filter(({rows}) => !rows);
+  if (!table) return null;
+  const isSplit = ({mark}) => !mark, [split, left] = [table.rows.filter(isSplit), table.rows.filter((row) => !isSplit(row))];
+  const folded = {details: `${left.length} difference${left.length > 1 ? 's' : ''} that cannot be split between contact model and step`, class: 'folded',
+    parts: [{...table, rows: left}]};
+  return [{markup: splitWords}, ...(split.length ? [{...table, rows: split}] : []), ...(left.length ? [folded] : []), ...notes];
 }
 
 const ladderWords = html`<p>Both sides keep the same modes, so their agreement says nothing about the modes left out. The native model alone, with more and
@@ -94,8 +98,9 @@ const measuredWords = 'Every run is taken at the record\'s samples, and a force 
 
 const impactWords = 'With MuJoCo\'s soft contact an impact is an episode of contact: the time of its onset, and the impulse over the whole of it, ' +
   'lasting contact included.';
-// Times, and below them impulses. impacts: of each contact model, pairs with the native ones.
-function impactsOf(impacts, labels) {
+// Times, and below them impulses. differences: of each contact model, whose impacts are pairs with the native ones.
+function impactsOf(differences, labels) {
+  const impacts = Object.fromEntries(Object.entries(differences).map(([label, model]) => [label, model.impacts]));
   const count = Math.max(0, ...Object.values(impacts).map((pairs) => pairs.length));
   const native = impacts[labels[1]];
   const cellOf = (one) => (one ? {text: (milli * one.t).toFixed(4), beside: short(milli * one.normal_impulse, 4)} : '–');
@@ -105,9 +110,9 @@ function impactsOf(impacts, labels) {
 }
 
 export const engineOf = ({engine, integrator, contact}) => `${engine}, integrator ${integrator}, contact ${contact}`;
-export const conditionsOf = ({text: scene}, id, facts) => ({details: 'Conditions and the scene\'s text', id: `${id}-conditions`, contents: 'conditions', parts: [
+export const conditionsOf = ({text: scene}, id, facts) => ({details: 'Conditions and the scene\'s text', id: `${id}-conditions`, contents: 'Conditions', parts: [
   {facts}, {markup: html`<pre>${scene}</pre>`}]});
-export const rotorOf = (scene, id) => ({details: 'The free rotor: whirl', id: `${id}-rotor`, contents: 'whirl', parts: whirlParts(scene)});
+export const rotorOf = (scene, id) => ({details: 'The free rotor: whirl', id: `${id}-rotor`, contents: 'Whirl', parts: whirlParts(scene)});
 
 const filmsOf = ({films, no_films: why}) => (films.length ? html`<p class="note films">Films of the runs, beside this page:
   ${films.map(({link, caption}) => html`<a href="${link}" title="${caption}">${link}</a> `)}</p>` : html`<p class="note">No film: ${why}</p>`);
@@ -116,20 +121,20 @@ function sceneOf(scene, index, data, named) {
   const id = `scene-${index + 1}`, {verdicts, figures, resync, differences, modes, measured} = named;
   const runs = scene.sides.filter((side) => !side.measured), facts = [
     ...Object.entries(data.versions), ['scene hash', scene.hash], ['step', units.duration(scene.step)], ['tolerance', percent(data.tolerance)],
-    ['repeated runs', `${scene.twins} of native, from starts a few units in the last place apart`],
+    ['repeated runs', `${scene.found.twins} of native, from starts a few units in the last place apart`],
     ...runs.map((side) => [side.label, `${engineOf(side)}, ${side.status}`])];
   const later = (name, contents, details, parts) => (parts ? [{details, id: `${id}-${name}`, contents, parts}] : []);
-  const impacts = impactsOf(scene.impacts, runs.map(({label}) => label));
+  const impacts = impactsOf(scene.found.differences, runs.map(({label}) => label));
   return {id, title: scene.name, contents: scene.name, scene: String(index),
     conditions: `step ${units.duration(scene.step)} · ${units.duration(scene.end)} simulated · scene ${scene.hash}`, parts: [
       {markup: verdictsOf(verdicts)},
       ...(resync ? [{parts: [{heading: 'Contact by contact'}, ...resync, text(resyncWords)]}] : [judgedOf(figures[0]), ...named.notes]),
       {markup: liveOf(scene, id)}, {markup: filmsOf(scene)}, rotorOf(scene, id),
-      ...later('measured', 'measured', 'The measured run', measured && [...measured, text(measuredWords)]),
-      ...later('differences', 'differences', 'Where the differences come from', differences && splitOf(differences)),
-      ...later('modes', 'modes kept', 'What the bending modes kept leave out', modes && [{markup: ladderWords}, ...modes]),
-      ...later('figures', 'figures', 'All figures', [allOf(figures[0])]),
-      ...later('impacts', 'impacts', 'The first impacts', impacts.rows.length && [impacts, text(impactWords)]),
+      ...later('measured', 'Measured', 'The measured run', measured && [...measured, text(measuredWords)]),
+      ...later('differences', 'Differences', 'Where the differences come from', differences && splitOf(differences)),
+      ...later('modes', 'Modes kept', 'What the bending modes kept leave out', modes && [{markup: ladderWords}, ...modes]),
+      ...later('figures', 'Figures', 'All figures', [allOf(figures[0])]),
+      ...later('impacts', 'Impacts', 'The first impacts', impacts.rows.length && [impacts, text(impactWords)]),
       conditionsOf(scene, id, facts)]};
 }
 

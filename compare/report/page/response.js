@@ -1,6 +1,7 @@
 // The free rotor's response to unbalance over the spin speed (Bode, polar), and its critical speeds over the stiffness of
 // its bearings, as plotly figures.
 import {across, valueAxis} from './campbell.js';
+import {logTicks} from './scales.js';
 import {axes, css, layout, legendAbove as legend, number, titled} from './style.js';
 
 const rpm = (speed) => `${number(speed, 4)} rpm`;
@@ -61,7 +62,7 @@ export function bodeFigure({bode, campbell}) {
     marker: {color: css('--paper'), size: 9, line: {color: style(curve).color, width: 2}},
     text: curve.peaks.map(factorOf), hovertemplate: `peak at %{x:.5g} rpm: %{y:.4g} µm, %{text}<extra>${nameOf(curve)}</extra>`}));
   const letters = letteredPeaks(shown, top).map((peak) => ({x: peak.speed, y: Math.log10(peak.amplitude), text: `${rpm(peak.speed)}, ${factorOf(peak)}`,
-    showarrow: false, xanchor: peak.speed > 0.85 * top ? 'right' : peak.speed < 0.15 * top ? 'left' : 'center', yanchor: 'bottom', yshift: 7, font: {color: css('--ink'), size: 12}}));
+    showarrow: false, xanchor: peak.speed > 0.85 * top ? 'right' : peak.speed < 0.15 * top ? 'left' : 'center', yanchor: 'bottom', yshift: 7, bgcolor: css('--paper'), font: {color: css('--ink'), size: 12}}));
   const marks = [...(running > 0 && running <= top ? [across(running, '--soft', 'dot')] : []),
     ...campbell.critical.filter((n) => n <= top).map((n) => across(n, '--line', 'longdash')),
     ...(clearance ? [{type: 'line', xref: 'paper', x0: 0, x1: 1, y0: clearance, y1: clearance, line: {color: css('--bad'), width: 1.2, dash: 'dash'}}] : [])];
@@ -95,6 +96,22 @@ export function alongCurve(places, count) {
   return Array.from({length: count}, (_, k) => way.findIndex((w) => w >= whole * (k + 1) / count)).filter((k) => k > 0);
 }
 
+// A range around values, with room for labels on either side.
+function widened(values) {
+  const given = values.filter((v) => v !== null), low = Math.min(...given), high = Math.max(...given), room = 0.3 * (high - low);
+  return [low - room, high + room];
+}
+
+// The side of each chosen point of a curve that faces away from the middle of the points, as plotly names it.
+export function outside(places, chosen) {
+  const middle = [0, 1].map((c) => chosen.reduce((sum, k) => sum + places[k][c], 0) / chosen.length);
+  return chosen.map((k) => {
+    const [x, y] = [0, 1].map((c) => places[k][c] - middle[c]), angle = Math.abs(Math.atan2(y, x)) / Math.PI;
+    if (angle > 0.4 && angle < 0.6) return y > 0 ? 'top center' : 'bottom center';
+    return x > 0 ? 'middle right' : 'middle left';
+  });
+}
+
 export function polarFigure({bode}) {
   const {speed, curves} = bode, first = shownFirst(curves), style = styleOf(curves, first);
   const visibility = (curve) => (first.has(curve) ? {} : {visible: 'legendonly'});
@@ -106,11 +123,12 @@ export function polarFigure({bode}) {
   const largest = curves.reduce((best, curve, c) => (first.has(curve) && (best < 0 || Math.max(...curve.amplitude) > Math.max(...curves[best].amplitude)) ? c : best), -1);
   const at = largest < 0 ? [] : alongCurve(places[largest], 8);
   const letters = largest < 0 ? [] : [{x: at.map((k) => places[largest][k][0]), y: at.map((k) => places[largest][k][1]), text: at.map((k) => rpm(speed[k])),
-    legendgroup: nameOf(curves[largest]), showlegend: false, type: 'scatter', mode: 'markers+text', textposition: 'middle right', hoverinfo: 'skip', cliponaxis: false,
+    legendgroup: nameOf(curves[largest]), showlegend: false, type: 'scatter', mode: 'markers+text', textposition: outside(places[largest], at), hoverinfo: 'skip', cliponaxis: false,
     textfont: {color: css('--soft'), size: 11}, marker: {color: style(curves[largest]).color, size: 6}}];
   const square = {automargin: false, constrain: 'domain', exponentformat: 'none', separatethousands: true};
-  return {data: [...lines, ...letters], layout: layout({hovermode: 'closest', showlegend: true, legend: legend(), margin: {l: 64, r: 24, t: 30, b: 44},
-    xaxis: titled('along the mark / µm', square), yaxis: titled('ahead in the sense of spin / µm', {...square, scaleanchor: 'x'})})};
+  return {data: [...lines, ...letters], layout: layout({hovermode: 'closest', showlegend: true, legend: legend(), margin: {l: 84, r: 24, t: 30, b: 44},
+    xaxis: titled('along the mark / µm', {...square, ...(at.length && {range: widened(places[largest].map(([x]) => x))})}),
+    yaxis: titled('ahead in the sense of spin / µm', {...square, scaleanchor: 'x'})})};
 }
 
 export function stiffnessFigure({stiffness, campbell}, index) {
@@ -130,5 +148,5 @@ export function stiffnessFigure({stiffness, campbell}, index) {
     annotations: [note({x: Math.log10(own), y: 0, yref: 'paper', yanchor: 'bottom', xanchor: 'left', xshift: 5, text: 'as in the scene'}),
       ...(along.length ? [note({xref: 'paper', x: 1, xanchor: 'left', xshift: 4, y: Math.log10(campbell.running), text: "scene's speed"})] : [])],
     margin: {l: 72, r: along.length ? 96 : 24, t: 30, b: 44}, xaxis: titled(`${of} / (N/m)`, {type: 'log', exponentformat: 'power', dtick: 1}),
-    yaxis: valueAxis({title: {text: 'critical speed / rpm', standoff: 8}, type: 'log', exponentformat: 'none', separatethousands: true})})};
+    yaxis: valueAxis({title: {text: 'critical speed / rpm', standoff: 8}, type: 'log', ...logTicks([...curves, ...ring].flat())})})};
 }

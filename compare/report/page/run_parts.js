@@ -19,8 +19,8 @@ export function nearestCritical({campbell}) {
   return {speed, share: away(speed) / campbell.running, above: speed > campbell.running};
 }
 
-// summary: of summary.json, SI.
-export function runCards({summary, contacts, rotor}) {
+// found: the run's summary.json, SI.
+export function runCards({found: summary, contacts, rotor}) {
   const {first_touch: touch, settled, least_gap: gap, peak_impulse: impulse, peak_force: force, hard_impacts: hard,
     control_force: control} = summary;
   const touches = touch !== null && touch !== undefined, critical = nearestCritical(rotor);
@@ -41,14 +41,17 @@ export function runCards({summary, contacts, rotor}) {
 const upperFirst = (text) => text[0].toUpperCase() + text.slice(1);
 const isRub = ({text}) => text?.startsWith('rubs: ');
 
-export function runParts({scenes: [scene], versions, ending}) {
+const endingOf = ({status, message, end}, scene) => (status === 'ok' ? {conditions: `${units.duration(end)} simulated`} :
+  {conditions: `ended at ${units.duration(end)} of ${units.duration(scene.end)}: ${[status, message].filter(Boolean).join(', ')}`, tone: 'bad'});
+
+export function runParts({scenes: [scene], versions}) {
   const [side, shadow] = scene.sides, {parts} = scene, facts = [['rotorub', versions.rotorub], ['scene hash', scene.hash], ['run', engineOf(side)],
     ...(shadow ? [['shadow', engineOf(shadow)]] : []), ['steps', String(side.steps)], ...(side.step > 0 ? [['step', units.duration(side.step)]] : []),
     ['rows', String(side.rows)], ['rows in impacts.csv', String(side.impacts_written)]];
   const rub = parts.find(isRub), figures = parts.filter(({rows}) => rows), told = parts.filter(({text, mark}) => text && /^(warning|note): /.test(text) && !mark);
   const sentence = rub && html`<p class="sentence"><b>Does the rotor rub?</b> ${upperFirst(rub.text.slice('rubs: '.length))}.</p>`;
   return [{id: 'answer', class: 'run-answer', contents: 'Answer', parts: [...(sentence ? [{markup: sentence}] : []), {cards: runCards(scene)}, ...told]},
-    {id: 'run', title: engineOf(side), conditions: ending.text, tone: ending.tone, scene: '0', parts: [
+    {id: 'run', title: engineOf(side), ...endingOf(side, scene), scene: '0', parts: [
       {markup: liveOf(scene, 'run')}, rotorOf(scene, 'run'),
-      {details: 'All figures', id: 'run-figures', contents: 'figures', parts: figures}, conditionsOf(scene, 'run', facts)]}, glossary];
+      {details: 'All figures', id: 'run-figures', contents: 'Figures', parts: figures}, conditionsOf(scene, 'run', facts)]}, glossary];
 }

@@ -69,18 +69,21 @@ function force(runs) {
     const {t, y: [newtons]} = knotsOf(normal);
     return {label, stairs: histogram(t, newtons)};
   }), {range, beyond} = widthFor(sides);
-  return {data: sides.filter(({stairs}) => stairs).map(({label, stairs}) => {
+  const data = sides.filter(({stairs}) => stairs).map(({label, stairs}) => {
     const {x, y} = staircase({...stairs, share: stairs.share.map((share) => 100 * share)});
     return trace(label, x, y, {line: {...line(label), dash: 'solid'}, hovertemplate: `%{x:.4g} N: %{y:.3g} % of the time<extra>${label}</extra>`});
-  }), layout: layout({hovermode: 'closest', xaxis: titled('normal force / N', range ? {range} : {}), yaxis: titled('share of the time / %', decades),
+  });
+  return {data, layout: layout({hovermode: 'closest', xaxis: titled('normal force / N', range ? {range} : {}),
+    yaxis: titled('share of the time / %', decades(data.flatMap(({y}) => y))),
     ...notesAbove(beyond.map(({label, most}) => ({text: `${label} reaches ${number(most, 3)} N`, color: css(`--${label}`)})))})};
 }
 
 function impulse(runs) {
-  return {data: runs.map((run) => ({label: run.label, ...exceedance(impulsesOf(run).map((value) => milli * value))})).filter(({count}) => count.length)
-    .map(({label, value, count}) => trace(label, value, count, {line: {...line(label), shape: 'vh'}, hovertemplate: `%{y} impacts reach %{x:.4g} mN s<extra>${label}</extra>`})),
-  layout: layout({hovermode: 'closest', xaxis: titled('normal impulse / mN s', {type: 'log', exponentformat: 'power'}),
-    yaxis: titled('impacts that reach it', {type: 'log', exponentformat: 'none'})})};
+  const data = runs.map((run) => ({label: run.label, ...exceedance(impulsesOf(run).map((value) => milli * value))})).filter(({count}) => count.length)
+    .map(({label, value, count}) => trace(label, value, count, {line: {...line(label), shape: 'vh'}, hovertemplate: `%{y} impacts reach %{x:.4g} mN s<extra>${label}</extra>`}));
+  const axis = (title, values) => titled(title, decades(values));
+  return {data, layout: layout({hovermode: 'closest', xaxis: axis('normal impulse / mN s', data.flatMap(({x}) => x)),
+    yaxis: axis('impacts that reach it', data.flatMap(({y}) => y))})};
 }
 
 const figures = {force_spread: force, impulse_spread: impulse};

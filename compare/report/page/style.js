@@ -9,14 +9,17 @@ export function css(name) {
   return colors.get(name);
 }
 
-export const axes = (extra) => ({gridcolor: css('--hair'), zerolinecolor: css('--line'), linecolor: css('--line'),
-  tickcolor: css('--line'), ticks: 'outside', ticklen: 4, automargin: true, ...extra});
-export const titled = (text, extra) => axes({title: {text, standoff: 8}, ...extra});
 // Pictures on paper are small.
 const onPaper = () => document.documentElement?.classList?.contains('printing');
+const fontSize = () => (onPaper() ? 8 : 12);
+// Plotly enlarges powers of ten on a logarithmic axis by a quarter.
+const evenFont = ({type, exponentformat} = {}) => (type === 'log' && exponentformat === 'power' ? {tickfont: {size: fontSize() / 1.25}} : {});
+export const axes = (extra) => ({gridcolor: css('--hair'), zerolinecolor: css('--line'), linecolor: css('--line'),
+  tickcolor: css('--line'), ticks: 'outside', ticklen: 4, automargin: true, ...evenFont(extra), ...extra});
+export const titled = (text, extra) => axes({title: {text, standoff: 8}, ...extra});
 export const layout = (extra) => ({
   paper_bgcolor: 'rgba(0,0,0,0)', plot_bgcolor: 'rgba(0,0,0,0)', showlegend: false,
-  font: {family: getComputedStyle(document.body).fontFamily, size: onPaper() ? 8 : 12, color: css('--soft')},
+  font: {family: getComputedStyle(document.body).fontFamily, size: fontSize(), color: css('--soft')},
   margin: {l: 56, r: 12, t: 8, b: 40}, hovermode: 'x unified',
   hoverlabel: {bgcolor: css('--panel'), bordercolor: css('--line'), font: {color: css('--ink')}}, ...extra});
 export const legendAbove = (extra) => ({orientation: 'h', x: 0, y: 1.02, yanchor: 'bottom', font: {color: css('--ink')}, ...extra});
@@ -36,8 +39,15 @@ export function growBy(plot, height) {
   plot.style.height = '';
   if (height) plot.style.height = `${plot.clientHeight + height}px`;
 }
-// Properties of a logarithmic axis.
-export const decades = {type: 'log', exponentformat: 'power', dtick: 1};
+// Properties of a logarithmic axis of these values: a tick at every decade, or at every second or third one if there are many;
+// within little more than a decade also at 2 and 5. most: the number of decades below the largest value that are shown.
+export function decades(values, most = Infinity) {
+  const given = values.filter((v) => v > 0), ends = [Math.min, Math.max].map((end) => Math.log10(given.reduce((a, b) => end(a, b), given[0] ?? 1)));
+  const span = Math.min(most, ends[1] - ends[0]), range = most < ends[1] - ends[0] ? {range: [ends[1] - most, ends[1] + 0.05 * most]} : {};
+  const isPlain = ends[1] - span > -3.5 && ends[1] < 4.5;
+  return {type: 'log', ...(isPlain ? {exponentformat: 'none', separatethousands: true} : {exponentformat: 'power'}),
+    dtick: span > 1.3 ? Math.ceil(span / 9) : 'D2', ...range};
+}
 
 // Red, green and blue of "#rrggbb", and of a share of the way through a palette of such colours.
 export const parts = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));

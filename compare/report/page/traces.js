@@ -151,7 +151,7 @@ function timePlot(view, {key, over, range}) {
   const data = impacts ? impactTraces(view.runs, key) : [...uncontrolledTraces(view, key, range), ...timeTraces(view.runs, key, range)];
   const height = key.endsWith('_force') ? heightFor(data) : {};
   return {data, layout: layout({hovermode: impacts ? 'closest' : 'x unified', ...notesAbove(height.notes || [], {l: 64}),
-    xaxis: axes({title: {text: 't / s', standoff: 6}, automargin: false, range: range.slice(), hoverformat: '.6f'}), yaxis: axes({automargin: false, ...(impacts ? decades : height.axis)})})};
+    xaxis: axes({title: {text: 't / s', standoff: 6}, automargin: false, range: range.slice(), hoverformat: '.6f'}), yaxis: axes({automargin: false, ...(impacts ? decades(data.flatMap(({y}) => y)) : height.axis)})})};
 }
 
 const axisTitles = {normal_law: ['before / (m/s)', 'after / (m/s)'], friction_law: ['slip after / (m/s)', 'tangential / (friction × normal)'],

@@ -9,15 +9,18 @@ const trace = (side, x, y, more) => ({x, y, name: side.label, meta: side.label, 
 const inMicrons = (list) => list.map((value) => micro * value);
 const have = (scene, what) => [...scene.sides].reverse().filter((side) => side.whirl[what]);
 
+const kDecades = 8;  // of a spectrum; lines below them are round-off
+
 function spectrum(scene) {
   const marks = [-1, 1].map((k) => ({type: 'line', x0: k * scene.spin, x1: k * scene.spin, y0: 0, y1: 1, yref: 'paper',
     line: {color: css('--soft'), width: 1, dash: 'dash'}, layer: 'below'}));
-  return {data: have(scene, 'spectrum').map((side) => trace(side, side.whirl.spectrum.x, inMicrons(side.whirl.spectrum.y),
-    {hovertemplate: `%{x:.5g} Hz: %{y:.4g} µm<extra>${side.label}</extra>`})),
+  const data = have(scene, 'spectrum').map((side) => trace(side, side.whirl.spectrum.x, inMicrons(side.whirl.spectrum.y),
+    {hovertemplate: `%{x:.5g} Hz: %{y:.4g} µm<extra>${side.label}</extra>`}));
+  return {data,
   layout: layout({hovermode: 'closest', margin: {l: 56, r: 12, t: 22, b: 40}, shapes: scene.spin ? marks : [],
     annotations: scene.spin ? [-1, 1].map((k) => ({x: k * scene.spin, y: 1, yref: 'paper', yanchor: 'bottom', showarrow: false,
       text: k > 0 ? '+1×' : '−1×', font: {size: 11, color: css('--soft')}})) : [],
-    xaxis: titled('backward   ←   whirl / Hz   →   forward'), yaxis: titled('µm', decades)})};
+    xaxis: titled('backward   ←   whirl / Hz   →   forward'), yaxis: titled('µm', decades(data.flatMap(({y}) => y), kDecades))})};
 }
 
 // One pixel per cell; time increases upwards.
@@ -69,10 +72,11 @@ function poincare(scene) {
 }
 
 function residual(scene, range) {
-  return {data: have(scene, 'residual').map((side) => trace(side, side.whirl.residual.x, side.whirl.residual.y.map((y) => micro * y || null),
-    {hovertemplate: `%{y:.4g} µm<extra>${side.label}</extra>`})),
+  const data = have(scene, 'residual').map((side) => trace(side, side.whirl.residual.x, side.whirl.residual.y.map((y) => micro * y || null),
+    {hovertemplate: `%{y:.4g} µm<extra>${side.label}</extra>`}));
+  return {data,
   layout: layout({hovermode: 'x unified', xaxis: axes({title: {text: 't / s', standoff: 6}, range: range.slice(), hoverformat: '.6f'}),
-    yaxis: axes(decades)})};
+    yaxis: axes(decades(data.flatMap(({y}) => y)))})};
 }
 
 const figures = {spectrum, waterfall, poincare, residual};

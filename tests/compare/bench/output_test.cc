@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "compare/bench/output.h"
-#include "compare/report/page_frame.h"
+#include "compare/report/page.h"
 #include "tests/compare/bench/made_points.h"
 #include "tests/compare/hand_made.h"
 #include "tests/support/native_run.h"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "compare/report/page.h"
@@ -224,7 +225,7 @@ TEST(RowsAt, KeepsTheWantedRowsAlone) {
 TEST(SceneComparison, NoContactIsNoPraise) {
   CompareOptions options;
   options.timing_repeats = 1;
-  const SceneComparison c =
+  SceneComparison c =
       compare_scene(test::shipped("bench_ring", {"run.end=0.02", "force[0].amplitude=1"}), options);
   ASSERT_FALSE(c.models.empty());
   EXPECT_TRUE(c.within());
@@ -244,6 +245,12 @@ TEST(SceneComparison, NoContactIsNoPraise) {
                   .at("cone")
                   .at("figures")
                   .contains("mean_force"));
+  // Nor are there headings of a table without rows.
+  EXPECT_NE(text.find("split of the difference"), std::string::npos);
+  for (ComparedModel& m : c.models)
+    for (FigureDifference& d : m.figures) d.split.difference = std::nan("");
+  const std::string bare = result::text_of(comparison_result(c));
+  EXPECT_EQ(bare.find("split of the difference"), std::string::npos) << bare;
 }
 
 // One unit in the last place of the clearance survives the first sums, whatever the start.

@@ -5,11 +5,11 @@ import {html, withCode} from '../../../compare/report/page/html.js';
 import {reportParts} from '../../../compare/report/page/report_parts.js';
 import {nearestCritical, runParts} from '../../../compare/report/page/run_parts.js';
 
-const side = {label: 'native', status: 'ok', engine: 'native', integrator: 'event', contact: 'rigid', step: 0, steps: 9, rows: 3, impacts_written: 1,
+const side = {label: 'native', status: 'ok', message: '', end: 0.06, engine: 'native', integrator: 'event', contact: 'rigid', step: 0, steps: 9, rows: 3, impacts_written: 1,
   tracks: {}, whirl: {}, distribution: [{}]};
-const scene = {name: '<b>ring', hash: 'f00', step: 1e-5, end: 0.06, text: 'x = 1', twins: 2, contacts: [{name: ''}], windows: [{name: 'whole run'}],
+const scene = {name: '<b>ring', hash: 'f00', step: 1e-5, end: 0.06, text: 'x = 1', contacts: [{name: ''}], windows: [{name: 'whole run'}],
   sides: [side, {...side, label: 'cone', engine: 'mujoco'}], what_if: null, rotor: {refusal: 'none'}, films: [], no_films: 'off.', setting: '',
-  impacts: {cone: [{native: {t: 0.01, normal_impulse: 2e-3}, other: null}]},
+  found: {twins: 2, differences: {cone: {impacts: [{native: {t: 0.01, normal_impulse: 2e-3}, other: null}]}}},
   parts: [
     {id: 'answer', parts: [{text: 'MuJoCo alone: no (gap: 0)', tone: 'bad', toned: 'no'}, {text: 'with the rigid law: yes', tone: 'good', toned: 'yes'},
       {columns: [{text: 'off by the step'}], rows: []}, {text: 'One.', mark: '>'}, {text: 'Two.'}]},
@@ -46,9 +46,17 @@ test('judged figures stand with their differences, and all figures with their me
 test('differences that cannot be split are folded', () => {
   const [, table, folded, note] = detailsOf(partsOf(data).scene, 'differences').parts;
   assert.deepEqual(table.rows.map(({cells}) => cells[0]), ['force']);
-  assert.match(folded.details, /^1 differences that cannot/);
+  assert.match(folded.details, /^1 difference that cannot/);
   assert.deepEqual(folded.parts[0].rows.map(({cells}) => cells[0]), ['peak']);
   assert.equal(note.text, 'never part');
+});
+
+test('without differences there is no section on where they come from', () => {
+  const other = (parts) => ({...data, scenes: [{...scene, parts: scene.parts.map((part) => (part.id === 'differences' ? {id: 'differences', parts} : part))}]});
+  assert.equal(detailsOf(partsOf(other([{columns: [{text: 'figure'}], rows: []}])).scene, 'differences'), undefined);
+  assert.equal(detailsOf(partsOf(other([{text: 'nothing to split'}])).scene, 'differences'), undefined);
+  const {parts} = detailsOf(partsOf(other([{columns: [{text: 'figure'}], rows: [{cells: ['peak'], mark: '?'}]}])).scene, 'differences');
+  assert.equal(parts.length, 2, 'no empty table above those that cannot be split');
 });
 
 test('each verdict has its reasons', () => {
@@ -89,13 +97,16 @@ test('a resync has its onsets in the place of the judged figures', () => {
 test('the page of one run has its engine, its end and its facts', () => {
   const told = [{text: 'rubs: yes, from 5 ms'}, {text: 'warning: the step is long'}, {columns: [{text: 'figure'}, {text: 'value'}], rows: []}];
   const summary = {first_touch: 0.005, mean_force: 12, contact_fraction: 0.5, peak_impulse: 2e-3, hard_impacts: 1, settled: {attractor: 'bouncing'}};
-  const one = {...scene, parts: told, summary, contacts: [{name: '', touches: true, clearance: 1e-3}], sides: [side]};
-  const [answer, run, words] = runParts({scenes: [one], versions: data.versions, ending: {text: '60 ms simulated', tone: ''}});
+  const one = {...scene, parts: told, found: summary, contacts: [{name: '', touches: true, clearance: 1e-3}], sides: [side]};
+  const [answer, run, words] = runParts({scenes: [one], versions: data.versions});
   assert.match(answer.parts[0].markup.text, /<b>Does the rotor rub\?<\/b> Yes, from 5 ms\.<\/p>/);
   assert.deepEqual(answer.parts[1].cards.map(({headline}) => headline), ['5 ms', '12 N', '2 mN s', 'bouncing']);
   assert.equal(answer.parts[2].text, 'warning: the step is long');
   assert.equal(run.title, 'native, integrator event, contact rigid');
   assert.equal(run.conditions, '60 ms simulated');
+  const early = {...one, sides: [{...side, status: 'penetration', message: 'the step is too long', end: 0.0125}]};
+  const [, ended] = runParts({scenes: [early], versions: data.versions});
+  assert.deepEqual([ended.conditions, ended.tone], ['ended at 12.5 ms of 60 ms: penetration, the step is too long', 'bad']);
   assert.deepEqual(run.parts.find(({id}) => id === 'run-conditions').parts[0].facts.map(([name]) => name), ['rotorub', 'scene hash', 'run', 'steps', 'rows', 'rows in impacts.csv']);
   assert.equal(words.id, 'glossary');
 });

@@ -118,6 +118,9 @@ test('and how near it comes to each contact, and what a touch may lead to', () =
   assert.match(note, /of limited validity \| where its law is not linear/);
   assert.equal(refused, 'Stable motions at contact "near" |  | not analysed | no ring');
   assert.equal(touched, 'Stable motions at contact "far" | bad | no contact + backward whip | at 2387.3 rpm; 1 further lasting rub is unstable');
+  const both = contacts.map((contact) => ({...contact, rub: null, rub_refused: '/home/me/rig.toml:88: control.fails_at: it fails'}));
+  assert.deepEqual(cardsOf({speeds: [{...speed, contacts: both, notes: []}]}).slice(5).map(words),
+    ['Stable motions |  | not analysed | control.fails_at: it fails'], 'a reason that applies to all is given once, without the file');
   const lost = cardsOf({speeds: [{...speed, response: {...far, before_loss: near}}]}).slice(3).map(({title}) => title);
   assert.deepEqual(lost, ['Free orbit, before the loss, 2387.3 rpm', 'Free orbit, after the loss, 2387.3 rpm']);
 });

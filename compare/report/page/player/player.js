@@ -146,7 +146,7 @@ export class Player {
   note() {
     const {force, impulse, control, current} = this.scales, {rig, contacts} = this.scene, words = [];
     if (this.rig === null) words.push('This browser has no WebGL: the rig itself is not shown.');
-    const times = [...new Set(contacts.map((contact) => contact.section_magnification.toLocaleString('en')))].join(', ');
+    const times = [...new Set(contacts.map((contact) => contact.section_magnification.toLocaleString('en')))].join(' and ');
     if (this.touches) words.push(`The cross-section moves with the ring. Displacements and clearance are magnified ${times} times; rotor and ring are not. ○ marks the keyphasor, once per turn.`);
     if (!rig.has_shape && this.rig !== null) words.push('The scene has modal data without a shaft geometry, so the shaft is drawn as a simple bow.');
     if (force > 0) words.push(`Arrows are cut at ${units.force(force)}${this.shown.length > 1 ? ' in both runs' : ''}; a double head marks a larger force.`);

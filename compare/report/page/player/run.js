@@ -16,7 +16,9 @@ export function tracksAt(tracks, number) {
 
 // Makes the run of a side of the scene at its first contact; `contacts` has the run at each contact.
 export function runOf(side, scene) {
-  const tracks = Object.fromEntries(Object.entries(side.tracks).map(([name, packed]) => [name, new Track(packed)]));
+  // A ring that cannot move stays where it is in the first run, measured or not.
+  const fixed = side.measured && !scene.contacts[0].ring_moves ? {ring: scene.sides[0].tracks.ring} : {};
+  const tracks = Object.fromEntries(Object.entries({...fixed, ...side.tracks}).filter(([, packed]) => packed).map(([name, packed]) => [name, new Track(packed)]));
   const contacts = scene.contacts.map((contact, number) => new Run(side, contact, number, tracks));
   for (const run of contacts) run.contacts = contacts;
   return contacts[0];
@@ -30,6 +32,7 @@ export function absentOf(tracks, {touches, ring_moves: moves}) {
     `${missing.length ? `, ${missing.map(([, , words]) => words).join(', ')}` : ''}.`;
 }
 
+const kNoImpacts = {t: [], normal: [], friction: [], before: [], after: [], slip: []};
 // Impacts as they are drawn: mN s, m/s, and the share of friction times the normal impulse.
 export function pointsOf({t, normal, friction, before, after, slip}, coefficient) {
   const milli = (list) => list.map((value) => 1e3 * Math.abs(value));
@@ -47,7 +50,7 @@ export class Run {
     this.clearance = contact.clearance;
     this.finest = contact.gap_tolerance;
     this.number = number;
-    this.points = pointsOf(side.impacts[number], contact.friction);
+    this.points = pointsOf(side.impacts?.[number] ?? kNoImpacts, contact.friction);  // a record has none
     this.longestImpact = side.longest_impact ?? Infinity;  // s, with a soft contact
     this.tracks = tracksAt(tracks, number);
     // The position of a ring that does not move is known without a measurement.

@@ -1,4 +1,4 @@
-#include "compare/report/page_frame.h"
+#include "compare/report/page.h"
 
 #include <gtest/gtest.h>
 
@@ -11,14 +11,14 @@
 namespace rotorub {
 namespace {
 
-TEST(PageFrame, ReplacesEachNameOnce) {
+TEST(Page, ReplacesEachNameOnce) {
   EXPECT_EQ(filled("<p>{{a}} and {{b}}, {{a}}</p>", {{"a", "{{b}}"}, {"b", "$1 \\"}}),
             "<p>{{b}} and $1 \\, {{b}}</p>");
   EXPECT_EQ(filled("no names { } at all", {}), "no names { } at all");
   EXPECT_THROW(filled("{{missing}}", {}), std::out_of_range);
 }
 
-TEST(PageFrame, EscapesWordsAndData) {
+TEST(Page, EscapesWordsAndData) {
   const result::Section found{.parts = {result::line("a < b & c"), result::Data{"k", 1}}};
   const std::string page = page_of("sweep", "<b>\"ring\"", found, {{"text", "</script><script>"}});
   EXPECT_NE(page.find("<title>&lt;b&gt;&quot;ring&quot; · rotorub</title>"), std::string::npos);
@@ -30,7 +30,7 @@ TEST(PageFrame, EscapesWordsAndData) {
   EXPECT_EQ(page.find("native-module"), std::string::npos) << "only with sliders";
 }
 
-TEST(PageFrame, NeedsNoNetworkAndNoOtherFile) {
+TEST(Page, NeedsNoNetworkAndNoOtherFile) {
   std::string page = page_of("sweep", "ring", {}, nlohmann::json::object());
   const std::string plotly = base64(packed_plotly_js());
   page.erase(page.find(plotly), plotly.size());
