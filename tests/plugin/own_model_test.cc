@@ -126,12 +126,6 @@ class OwnModel : public HookedTest {
   }
 };
 
-TEST_F(OwnModel, RigidFollowsTheNativeModelAtFirstOrder) {
-  const double coarse = error("rigid", 1e-4), fine = error("rigid", 1e-5);
-  EXPECT_LT(fine, 5e-6);
-  EXPECT_LT(fine, 0.2 * coarse);
-}
-
 // Static, kinetic, Stribeck speed, viscous, over the slips of the run.
 constexpr const char* kFalling = "0.25 0.1 3.0 0.005";
 const std::vector<std::string> kFallingScene{

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
@@ -42,15 +41,6 @@ class ShadowData : public HookedTest {
   ModelPointer model_;
   plugin::Config config_;
 };
-
-TEST_F(ShadowData, ThreadsGetTheSameBits) {
-  const std::vector<double> alone = shadow_after(kShadowSteps);
-  std::vector<double> results[3];
-  std::vector<std::thread> threads;
-  for (auto& result : results) threads.emplace_back([&] { result = shadow_after(kShadowSteps); });
-  for (std::thread& thread : threads) thread.join();
-  for (const auto& result : results) EXPECT_EQ(result, alone);
-}
 
 // A viewer writes the keyframe into mjData and continues: the time goes back.
 TEST_F(ShadowData, KeyframeInTheMiddleStartsAnew) {

@@ -1,9 +1,8 @@
-// Many impacts, grazing impacts, and impacts that take time.
+// Grazing impacts, impacts that take time, and loads that switch, in flight or in contact.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "native_model/oracles/bounces.h"
 #include "tests/native_model/hard/rules.h"
 
 namespace rotorub {
@@ -11,35 +10,6 @@ namespace {
 
 using test::Jeffcott;
 using test::make_scene;
-
-int rebounds(const Trajectory& t) {
-  return static_cast<int>(
-      std::count_if(t.impacts.begin(), t.impacts.end(), [](const Impact& i) { return counts(i); }));
-}
-
-// Infinitely many impacts in finite time: contact closes at the time of the geometric series, for
-// any eps.
-TEST(HardZeno, ClosesAtTheExactTime) {
-  for (const double eps : {0.5, 0.9, 0.99}) {
-    SCOPED_TRACE(eps);
-    scene::Scene scene = make_scene({.mass = 2.0, .restitution = eps});
-    test::add_constant_force(scene, {0.0, -19.62});
-    const oracle::Drop exact{0.5e-3, 9.81, eps};
-    scene.run.end = 1.1 * exact.rest_time();
-    const Trajectory t = test::sound_event(scene);
-    // The remaining time when the rebounds are below 1e-9 m/s is 2 v / (g (1 - eps)).
-    EXPECT_NEAR(t.events.back().t, exact.rest_time(), 2e-9 / 9.81 / (1.0 - eps) + 1e-11);
-    EXPECT_EQ(static_cast<Mode>(t.column("mode").back()), Mode::kStick);
-    EXPECT_NEAR(t.column("normal_force").back(), 19.62, 1e-9);
-
-    const double step = 1e-5;
-    const Trajectory p = test::sound_verlet(scene, step, 0.11);
-    // Each rebound is up to a step late, which delays the end; by now the bounces are almost over.
-    EXPECT_LT(p.column("gap").back(), 0.03 * 0.5e-3);
-    EXPECT_LT(std::abs(p.column("rotor_vy").back()), 0.1 * std::sqrt(2.0 * 9.81 * 0.5e-3));
-    EXPECT_GT(rebounds(p), 3);
-  }
-}
 
 // A path that barely touches the circle, from outside or inside: a straight flight at a distance of
 // delta_0 (1 + x) from the centre.
@@ -61,66 +31,6 @@ TEST(HardGrazing, NothingIsMissedAndNothingInvented) {
       EXPECT_EQ(touched, x > 0.0);
     }
     test::sound_verlet(scene);
-  }
-}
-
-// Tangent to the circle at speed: the ends of the chord coincide.
-TEST(HardGrazing, AlongTheRing) {
-  for (const double angle : {1e-2, 1e-4, 1e-6}) {
-    SCOPED_TRACE(angle);
-    scene::Scene scene = make_scene({.mass = 2.0, .restitution = 1.0});
-    scene.initial.x = {0.5e-3 * (1.0 - 1e-9)};
-    scene.initial.vx = {0.2 * std::sin(angle)};
-    scene.initial.vy = {0.2 * std::cos(angle)};
-    // About 300 chords of 2 delta_0 sin(angle) / v.
-    scene.run.end = 300.0 * 2.0 * 0.5e-3 * std::sin(angle) / 0.2;
-    scene.run.output_step = scene.run.end / 50.0;
-    const Trajectory t = test::sound_event(scene);
-    for (std::size_t k = 0; k < t.rows(); ++k) {
-      ASSERT_NEAR(std::hypot(t.column("rotor_vx")[k], t.column("rotor_vy")[k]), 0.2, 1e-11);
-    }
-  }
-}
-
-// The centres coincide, so the normal is undefined and must not be needed.
-TEST(HardCentre, AtRestAndPushedThroughIt) {
-  for (const double speed : {0.0, 0.3}) {
-    for (const bool ring : {false, true}) {
-      scene::Scene scene = make_scene({.mass = 2.0,
-                                       .damping = 5.0,
-                                       .stiffness = 1e5,
-                                       .friction = 0.3,
-                                       .restitution = 0.5,
-                                       .speed = 300.0});
-      if (ring) test::add_ring(scene, 1.0, 50.0, 1e5);
-      scene.initial.vx = {speed};
-      scene.run.end = 0.1;
-      const Trajectory t = test::sound_event(scene);
-      EXPECT_EQ(t.column("gap")[0], 0.5e-3);
-      EXPECT_EQ(t.column("gap_rate")[0], 0.0);
-      EXPECT_EQ(t.column("slip")[0], 0.05 * 300.0);
-      test::sound_verlet(scene);
-    }
-  }
-}
-
-// The clearance of the test rig may also be nearly 0.
-TEST(HardCentre, NextToNoClearance) {
-  for (const double clearance : {1e-6, 1e-8}) {
-    SCOPED_TRACE(clearance);
-    scene::Scene scene = make_scene({.mass = 2.0,
-                                     .damping = 200.0,
-                                     .stiffness = 1e6,
-                                     .clearance = clearance,
-                                     .friction = 0.2,
-                                     .restitution = 0.3,
-                                     .speed = 0.0});
-    test::add_rotating_force(scene, 100.0, 300.0);
-    scene.run.end = 0.01;
-    test::sound_event(scene);
-    const Trajectory p = test::run_verlet(scene, 1e-6);
-    test::expect_refused_or_finite(p);
-    EXPECT_LE(p.statistics.max_penetration, 1e-6 * 0.1);
   }
 }
 
@@ -197,6 +107,56 @@ TEST(HardFiniteImpact, PassesASampleAndNotTheEnd) {
   ASSERT_GE(t.impacts.size(), 1u);
   const auto& control = t.column("control_x");
   EXPECT_NE(control[control.size() - 1], control[control.size() - 2]) << "still sampled";
+}
+
+// ---------------------------------------------------------------- loads that switch
+// They must not affect the step before the switch.
+
+// A free mass under a constant force until t = off: a polynomial before, a straight line after. A
+// step that saw the jump would need thousands of tiny ones to get past it.
+TEST(HardSwitching, AForceThatEndsCostsNoSteps) {
+  scene::Scene scene = make_scene({.mass = 2.0, .clearance = 1.0});
+  test::add_constant_force(scene, {3.0, 0.0});
+  scene.forces[0].off = 0.01;
+  scene.run.end = 0.02;
+  const Trajectory t = test::sound_event(scene);
+  const double a = 1.5, off = 0.01, exact = 0.5 * a * off * off + a * off * 0.01;
+  EXPECT_NEAR(t.column("rotor_x").back(), exact, 1e-15 * 100.0 * exact);
+  EXPECT_LT(t.steps, 40);
+}
+
+// The ring carries the rotor; the load that presses it there is switched off, on and ramped.
+scene::Scene pressed() {
+  scene::Scene scene = make_scene({.mass = 2.0,
+                                   .damping = 10.0,
+                                   .stiffness = 1e4,
+                                   .friction = 0.3,
+                                   .restitution = 0.4,
+                                   .speed = 200.0});
+  test::add_ring(scene, 1.0, 100.0, 2e5);
+  test::add_constant_force(scene, {30.0, 0.0});
+  scene.run.end = 0.1;
+  return scene;
+}
+
+// Also if the switch is at the very instant at which contact ends.
+TEST(HardSwitching, AtTheInstantOfAnEvent) {
+  scene::Scene scene = pressed();
+  scene.forces[0].off = 0.04;
+  const Trajectory first = test::run_event(scene);
+  int checked = 0;
+  for (const Event& event : first.events) {
+    if (event.t <= 0.0 || event.t >= 0.04 || checked >= 12) continue;
+    scene::Scene changed = scene;
+    test::add_constant_force(changed, {0.0, 5.0});
+    for (const double t : {std::nextafter(event.t, 0.0), event.t, std::nextafter(event.t, 1.0)}) {
+      changed.forces[1].on = t;
+      SCOPED_TRACE(t);
+      test::sound_event(changed);
+    }
+    ++checked;
+  }
+  EXPECT_GT(checked, 3);
 }
 
 }  // namespace

@@ -25,13 +25,6 @@ inline Trajectory run_verlet(const scene::Scene& scene, double step) {
   return run_with(scene, scene::Integrator::kVerlet, step);
 }
 
-// A scene of the reference rig, with so few modes that a test is quick.
-inline scene::Scene shipped_rig(const std::string& name) {
-  scene::Scene rig = shipped(name);
-  rig.rotor.geometry->modes = 2;
-  return rig;
-}
-
 inline double largest(const std::vector<double>& values) {
   double most = 0.0;
   for (const double x : values) most = std::max(most, std::abs(x));
@@ -106,28 +99,23 @@ inline void expect_sound_event(const scene::Scene& scene, const Trajectory& t) {
   }
 }
 
-// A run of `verlet`: it is never deeper in the ring than one step of flight. fastest: m/s, relative
-// speed that the scene cannot exceed.
-inline void expect_sound_verlet(const scene::Scene& scene, const Trajectory& t, double step,
-                                double fastest) {
-  expect_finite(t);
-  ASSERT_DOUBLE_EQ(t.column("t").back(), scene.run.end);
-  if (!scene.first().contact) return;
-  expect_dissipative_impacts(scene, t);
-  expect_in_cone(scene, t);
-  EXPECT_LE(t.statistics.max_penetration, fastest * step);
-}
-
 // Runs that keep every rule.
 inline Trajectory sound_event(const scene::Scene& scene) {
   Trajectory t = run_event(scene);
   expect_sound_event(scene, t);
   return t;
 }
+// It is never deeper in the ring than one step of flight. fastest: m/s, relative speed that the
+// scene cannot exceed.
 inline Trajectory sound_verlet(const scene::Scene& scene, double step = 1e-5,
                                double fastest = 2.0) {
   Trajectory t = run_verlet(scene, step);
-  expect_sound_verlet(scene, t, step, fastest);
+  expect_finite(t);
+  EXPECT_DOUBLE_EQ(t.column("t").back(), scene.run.end);
+  if (!scene.first().contact) return t;
+  expect_dissipative_impacts(scene, t);
+  expect_in_cone(scene, t);
+  EXPECT_LE(t.statistics.max_penetration, fastest * step);
   return t;
 }
 
