@@ -1,5 +1,4 @@
-// Compliant contacts by `event`, against closed forms. (An independent program:
-// still_machine_test.cc.)
+// Compliant contacts by `event`, against closed forms and a program written from the equations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include "native_model/scene/reader.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
+#include "tests/support/oracles/compliant_touch.h"
 #include "tests/support/order.h"
 
 namespace rotorub {
@@ -125,6 +125,41 @@ TEST(CompliantContact, TheSynchronousRubOnASpring) {
   }
   EXPECT_NEAR(t.statistics.contact_time, 0.05, 1e-12);
   EXPECT_LT(t.statistics.energy_residual(), 1e-10);
+}
+
+// A free rotor with its own spin, against a program in this test: it slides, sticks and separates.
+TEST(CompliantContact, SlipThatStopsWithinATouch) {
+  for (const double turned : {0.0, 0.7, 2.5}) {
+    for (const double n : {1.0, 1.5}) {
+      const oracle::CompliantTouch touch{
+          .stiffness = 1e7 * std::pow(1e-4, 1.0 - n), .exponent = n, .a = 0.8, .friction = 0.3};
+      scene::Scene s = make_scene({.mass = touch.mass,
+                                   .clearance = touch.clearance,
+                                   .radius = touch.radius,
+                                   .friction = touch.friction,
+                                   .speed = 4.0});
+      s.rotor.modal->inertia = touch.inertia;
+      s.drive = scene::Drive{};
+      s.drive->kind = scene::DriveKind::kFree;
+      s.first().contact->compliance =
+          Compliance{.stiffness = touch.stiffness, .exponent = n, .hunt_crossley = touch.a};
+      const std::complex<double> v = std::polar(1.0, turned) * std::complex<double>(0.3, 0.15);
+      s.initial.vx = {v.real()};
+      s.initial.vy = {v.imag()};
+      s.run.end = 4e-3;
+      const Trajectory t = run_event(s);
+      const oracle::CompliantTouch::State end =
+          touch.at(4e-3, {0.0, 0.0, v.real(), v.imag(), 4.0}, 40000);
+      const std::size_t last = t.rows() - 1;
+      EXPECT_GT(touch.stuck, 0.0) << "the program should stick";
+      EXPECT_NEAR(t.column("rotor_x")[last], end[0], 1e-12);
+      EXPECT_NEAR(t.column("rotor_y")[last], end[1], 1e-12);
+      EXPECT_NEAR(t.column("spin_speed")[last], end[4], 1e-7);
+      const auto is_stick = [](const Event& e) { return e.kind == EventKind::kStick; };
+      EXPECT_TRUE(std::any_of(t.events.begin(), t.events.end(), is_stick));
+      EXPECT_LT(t.statistics.energy_residual(), 1e-9);
+    }
+  }
 }
 
 // The contact ends before the wall is left, because N = k p + c p' reaches 0 inside.
