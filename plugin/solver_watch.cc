@@ -32,8 +32,9 @@ void watch_solver(const Config& config, const mjModel* m, mjData* d) {
   // Newton stops improving at round-off, which a tiny tolerance never accepts.
   const char* remedy = m->opt.solver != mjSOL_NEWTON ? "allow more iterations, or use "
                                                        "solver=\"Newton\""
-                       : m->opt.tolerance < kMatters ? "set the default tolerance, 1e-8"
-                                                     : "allow more iterations";
+                       : m->opt.tolerance < kMatters
+                           ? "set the default tolerance, 1e-8"
+                           : "allow more iterations or a larger tolerance";
   warn(message(
            "rotorub: MuJoCo's solver stopped at iterations=\"{}\" at t = {} s, in a step with a "
            "contact of the plugin; its last iteration still improved by {} (tolerance {}), so the "

@@ -21,7 +21,7 @@ constexpr double kOpposite = -0.5;
 constexpr double kSameMotion = 1e-6;
 constexpr double kSamePeriods = 1e-6;  // relative
 constexpr int kMostSecants = 8;
-constexpr double kZero = 1e-9;  // of 1 + the multiplier
+constexpr double kOnFlip = 1e-9;  // of 1 + the multiplier
 
 // The real multiplier nearest to -1, plus 1; empty without multipliers.
 std::optional<double> off_flip(const PeriodicMotion& motion) {
@@ -150,7 +150,7 @@ std::optional<BranchPoint> half_period_between(const std::function<Model(double)
     const auto point = corrector.next(*begin, at);
     const auto value = point ? off_flip(point->point.motion) : std::nullopt;
     if (!value) return {};
-    if (std::abs(*value) <= kZero)
+    if (std::abs(*value) <= kOnFlip)
       return BranchPoint{PointKind::kPeriodDoubling, point->point.parameter,
                          twice(point->point.motion)};
     const double next = at - *value * (at - last) / (*value - *of_last);

@@ -11,8 +11,8 @@
 namespace rotorub::periodic {
 namespace {
 
-std::string kind_of(const PeriodicRub& rub) {
-  constexpr double kWhole = 1e-6;
+std::string kind_of(const Model& m, const PeriodicRub& rub) {
+  constexpr double kWhole = 1e-6, kSameTurns = 1e-3;
   const ContactFigures& f = rub.figures[rub.contact];
   const PeriodicMotion& motion = rub.settled.motion;
   const bool touches = std::ranges::any_of(
@@ -24,6 +24,13 @@ std::string kind_of(const PeriodicRub& rub) {
   if (f.stuck_share > 1.0 - kWhole) return goes_around ? "rolling" : "sticking";
   if (f.stuck_share > kWhole) return "stick-slip";
   if (!goes_around) return "rub on one side";
+  const auto goes_with = [&](double speed) {
+    return std::abs(turns - speed * motion.period / (2.0 * std::numbers::pi)) < kSameTurns;
+  };
+  const bool is_driven = std::ranges::any_of(m.forces, [&](const AppliedForce& force) {
+    return force.kind == scene::ForceKind::kRotating && goes_with(force.frequency);
+  });
+  if (is_driven || goes_with(rub.spin)) return "synchronous rub";
   if (turns * rub.spin < 0.0) return "backward whip";
   return std::lround(std::abs(turns)) == rub.settled.order ? "synchronous rub" : "forward whirl";
 }
@@ -39,7 +46,7 @@ PeriodicRub periodic_rub(const Model& m, SettledMotion settled) {
   rub.settled = std::move(settled);
   rub.contact = static_cast<std::size_t>(
       std::ranges::max_element(rub.figures, {}, &ContactFigures::mean_force) - rub.figures.begin());
-  rub.kind = kind_of(rub);
+  rub.kind = kind_of(m, rub);
   return rub;
 }
 

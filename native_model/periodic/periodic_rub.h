@@ -13,9 +13,10 @@ namespace rotorub::periodic {
 
 // One periodic motion with the starts that lead to it.
 struct PeriodicRub {
-  // "no contact", "synchronous rub", "backward whip", "forward whirl", "rolling", "sticking",
-  // "stick-slip", "rub on one side" (the contact does not go around the ring) or "bouncing", of the
-  // contact with the largest mean force.
+  // "no contact", "synchronous rub" (it goes around with the spin or with a rotating force, also
+  // backward), "backward whip", "forward whirl", "rolling", "sticking", "stick-slip", "rub on one
+  // side" (the contact does not go around the ring) or "bouncing", of the contact with the largest
+  // mean force.
   std::string kind;
   std::vector<std::string> starts;
   SettledMotion settled;

@@ -282,6 +282,12 @@ bool fits(const Dimension& unit, const Dimension& key) {
          (!dimensionless || unit.back() == key.back());
 }
 
+// True for a speed of rotation in 1/min, which means revolutions on nameplates and radians in the
+// SI. In 1/s it has the value of a number without a unit, rad/s.
+bool is_ambiguous(const Unit& unit, const Dimension& key) {
+  return key.back() == 1 && unit.dimension.back() == 0 && unit.times != unit.over;
+}
+
 bool is_unit_of(const Quantity& quantity, std::string_view text) {
   UnitParser parser(text);
   const Unit unit = parser.parse();
@@ -336,6 +342,9 @@ ParsedQuantity parse_quantity(std::string_view text, const Quantity& quantity) {
     const std::string meant = hint(written, rest, quantity);
     if (!meant.empty()) return {0.0, expected + meant};
     return {0.0, parser.error().empty() ? expected : expected + ": " + parser.error()};
+  }
+  if (is_ambiguous(unit, quantity.dimension)) {
+    return {0.0, expected + ": it counts neither turns nor radians; write rpm, Hz or rad/s"};
   }
   const double value = number * unit.times / unit.over;
   if (!std::isfinite(value)) return {0.0, expected + ": out of the range of a double"};

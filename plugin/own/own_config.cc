@@ -55,7 +55,9 @@ FrictionLaw own_friction(const mjModel* m, const std::string& name) {
   law.excess = given[0] - given[1];
   law.stribeck_speed = given[2];
   law.viscous = given[3];
-  if (!(given[1] >= 0.0 && law.excess >= 0.0 && given[2] > 0.0 && given[3] >= 0.0)) {
+  const bool bounded =
+      std::ranges::all_of(given, [](double value) { return value <= kCoefficient.high; });
+  if (!(bounded && given[1] >= 0.0 && law.excess >= 0.0 && given[2] > 0.0 && given[3] >= 0.0)) {
     refuse(own_element(m, name),
            message("{} {} {} {} is not a friction law; give one number, or static, kinetic >= 0 "
                    "and at most static, Stribeck speed > 0, viscous >= 0",

@@ -90,6 +90,7 @@ void check(const mjModel* m, const std::string& name, std::span<const char* cons
   for (const PairName& pair : pairs) {
     for (const char* key : keys) known.push_back(pair.of(key));
   }
+  if (std::string_view(kind) == "text") known.emplace_back(names::kOwnConeCoulombPair);
   const std::vector<std::string_view> views(known.begin(), known.end());
   const std::string_view meant = scene::nearest(name, views);
   if (!meant.empty())
@@ -139,6 +140,15 @@ bool names_corrected_pair(const mjModel* m) {
   return any;
 }
 
+// Beside corrected <pair>s alone such a number would have no effect.
+void refuse_numbers_of_no_contact(const mjModel* m) {
+  for_each_number(m, [m](const std::string& name, mjtNum) {
+    if (PairName of; is_key(name, names::kOwnUserData, of)) return;
+    refuse(own_element(m, name),
+           "belongs to no contact; a corrected <pair> has its own friction and solref");
+  });
+}
+
 bool is_numbering(const std::string& suffix) {
   return suffix.find_first_of("0123456789") != suffix.npos &&
          suffix.find_first_not_of("_-0123456789") == suffix.npos;
@@ -175,8 +185,12 @@ std::vector<PairName> own_pair_names(const mjModel* m, Refusals& refusals) {
     if (std::string_view(names::kOwnConeCoulombPair) != word.key) add(word.contact);
   }
   check_names(m, pairs.empty() ? std::vector<PairName>{{}} : pairs, refusals);
-  if (pairs.empty() && !names_corrected_pair(m))
+  if (!pairs.empty()) return pairs;
+  if (names_corrected_pair(m)) {
+    refusals.attempt([&] { refuse_numbers_of_no_contact(m); });
+  } else {
     pairs.emplace_back();  // there are other names; the geoms of their contact are missing
+  }
   return pairs;
 }
 

@@ -93,6 +93,19 @@ TEST(PeriodicRubs, ASynchronousRubUnderWeight) {
   EXPECT_GT(found.figures[0].largest_force, found.figures[0].mean_force + 2.0);
 }
 
+// Whichever way the rotor spins: without friction nothing depends on it.
+TEST(PeriodicRubs, ARubThatGoesWithItsLoadIsSynchronous) {
+  const Words smooth{"contact.friction=0"};
+  const PeriodicRub with = only_rub(test::shipped("bench_annular_elastic", smooth));
+  scene::Scene scene = test::shipped("bench_annular_elastic", smooth);
+  scene.rotor.speed *= -1.0;
+  const PeriodicRub against = only_rub(scene);
+  EXPECT_EQ(with.kind, "synchronous rub");
+  EXPECT_EQ(against.kind, "synchronous rub");
+  EXPECT_NEAR(against.figures[0].mean_force, with.figures[0].mean_force,
+              1e-9 * with.figures[0].mean_force);
+}
+
 TEST(PeriodicRubs, ACompliantRing) {
   const PeriodicRub found = only_rub(test::shipped("compliant_ring"));
   EXPECT_EQ(found.kind, "synchronous rub");

@@ -140,6 +140,9 @@ TEST(Units, RefuseWhatDoesNotFitAndSayWhatWould) {
       // Other cases and misspelt names.
       {"8500 RPM", kSpin, "did you mean \"8500 rpm\"?"},
       {"50 HZ", kSpin, "did you mean \"50 Hz\"?"},
+      // On nameplates they are revolutions.
+      {"3000 1/min", kSpin, "write rpm, Hz or rad/s"},
+      {"3000 min^-1", kSpin, "write rpm, Hz or rad/s"},
       {"210 gpa", kPressure, "did you mean \"210 GPa\"?"},
       {"2 KG", kMass, "did you mean \"2 kg\"?"},
       {"2 kilogramms", kMass, "did you mean \"2 kg\"?"},

@@ -117,6 +117,36 @@ TEST_F(OwnNames, MisspeltNamesOfAFurtherContactAreRefused) {
                  "a scene cannot be attached");
 }
 
+TEST_F(OwnNames, TheNameOfACorrectedPairIsSuggested) {
+  expect_refused(replaced(document(Machine{}), "<custom>",
+                          "<custom><text name=\"rotorub_cone_coulom_pair\" data=\"a\"/>"),
+                 "did you mean \"rotorub_cone_coulomb_pair\"?");
+}
+
+TEST_F(OwnNames, NumbersBesideCorrectedPairsAloneAreRefused) {
+  const auto sliding = [](const std::string& custom) {
+    return "<mujoco><size nuserdata=\"21\"/><worldbody><geom name=\"floor\" type=\"plane\" "
+           "size=\"1 1 "
+           "1\"/><body pos=\"0 0 .1\"><freejoint/><geom name=\"ball\" size=\".1\"/></body>"
+           "</worldbody><contact><pair name=\"slide\" geom1=\"floor\" geom2=\"ball\"/></contact>"
+           "<custom><text name=\"rotorub_cone_coulomb_pair\" data=\"slide\"/>" +
+           custom + "</custom></mujoco>";
+  };
+  load(sliding(""));
+  load(sliding("<numeric name=\"rotorub_userdata\" data=\"0\"/>"));
+  expect_refused(sliding("<numeric name=\"rotorub_friction\" data=\"0.2\"/>"),
+                 "belongs to no contact");
+}
+
+TEST_F(OwnNames, AFrictionLawIsFinite) {
+  const std::string good = document(Machine{});
+  const std::string begin = "<numeric name=\"rotorub_friction\" data=\"";
+  const std::size_t at = good.find(begin) + begin.size(), end = good.find('"', at);
+  for (const char* law : {"inf 0.1 1 0", "0.2 0.1 inf 0", "0.3 0.1 1 inf"}) {
+    expect_refused(std::string(good).replace(at, end - at, law), "is not a friction law");
+  }
+}
+
 TEST_F(OwnNames, EachContactHasItsOwnNumbers) {
   const std::string good = document(TwoRings{});
   const std::string friction = "<numeric name=\"rotorub_friction_2\" data=\"0\"/>";
