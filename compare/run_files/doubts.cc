@@ -111,7 +111,10 @@ void doubt_levitation(const scene::Scene& scene, const Trajectory& run,
                       run.status == Status::kDiverged || run.status == Status::kStepTooLarge;
   const bool free = run.status == Status::kOk && run.statistics.first_touch < 0.0;
   if (scene.magnetic_bearings.empty() || !(failed || free)) return;
-  const Model model = make_model(scene, [](Model&) {});  // the start does not matter
+  if (scene.magnetic_control && scene.magnetic_control->by_library()) return;  // it has no poles
+  scene::Scene bearings = scene;  // neither the laws of the rings nor the start matter
+  for (scene::AuxiliaryBearing& at : bearings.auxiliary) at.controller.reset();
+  const Model model = make_model(bearings, [](Model&) {});
   const Levitation loop = levitation_poles(model, scene.rotor.speed);
   if (!loop.unstable()) return;
   if (free && loop.poles.front().real() * run.end < 1.0) return;
