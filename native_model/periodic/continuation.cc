@@ -146,16 +146,28 @@ bool restart(const std::function<Model(double)>& model_at, const ContinuationPar
   return true;
 }
 
+// True if the branch ends between two points, at a period doubling of motions of half the period.
+bool ends_between(const std::function<Model(double)>& model_at,
+                  const ContinuationParameters& parameters, const CorrectedPoint& now,
+                  const CorrectedPoint& next, Branch& branch) {
+  if (!has_half_period_between(model_at, parameters, now, next)) return false;
+  branch.end = kAtDoubling;
+  const auto end = half_period_between(model_at, parameters, now, next);
+  if (end) branch.points.push_back(*end);
+  return true;
+}
+
 // The point next to the end of the parameter's range, which the next step would pass.
-void add_last_point(const BranchCorrector& corrector, const CorrectedPoint& now,
-                    const ContinuationParameters& parameters, Branch& branch) {
+void add_last_point(const std::function<Model(double)>& model_at, const BranchCorrector& corrector,
+                    const CorrectedPoint& now, const ContinuationParameters& parameters,
+                    Branch& branch) {
   branch.end = "the parameter leaves its range";
   const double rate = parameters.scale * now.tangent.parameter;
   const double end = rate > 0.0 ? parameters.highest : parameters.lowest;
   const double step = kOfLastStep * (end - now.point.parameter) / rate;
   if (step < parameters.least_step) return;
   const auto last = corrector.next(now, step);
-  if (!last) return;
+  if (!last || ends_between(model_at, parameters, now, *last, branch)) return;
   add_special_points(corrector, now, *last, step, branch.points);
   branch.points.push_back(last->point);
 }
@@ -169,7 +181,7 @@ void follow(const std::function<Model(double)>& model_at, const ContinuationPara
     auto next = corrector->next(now, step);
     if (!next) {
       if (step <= parameters.first_step && !corrector->stays_in_range(now, step)) {
-        add_last_point(*corrector, now, parameters, branch);
+        add_last_point(model_at, *corrector, now, parameters, branch);
         return;
       }
       step *= 0.5;
@@ -188,12 +200,7 @@ void follow(const std::function<Model(double)>& model_at, const ContinuationPara
       }
       return;
     }
-    if (has_half_period_between(model_at, parameters, now, *next)) {
-      branch.end = kAtDoubling;
-      const auto end = half_period_between(model_at, parameters, now, *next);
-      if (end) branch.points.push_back(*end);
-      return;
-    }
+    if (ends_between(model_at, parameters, now, *next, branch)) return;
     add_special_points(*corrector, now, *next, step, branch.points);
     branch.points.push_back(next->point);
     can_restart = true;
