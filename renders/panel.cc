@@ -289,6 +289,7 @@ void Panel::write_scale_bars(Sheet sheet) const {
   const auto bar = [&](double length, const std::string& text, const Color& color) {
     const double wide = std::max(length, sheet.text_width(text, size)) + 1.2 * size;
     const Sheet::Point at = corners.next(wide, 1.9 * size);
+    sheet.fill(at.x(), at.y(), wide, 1.7 * size, palette::kBackground.with_alpha(0.8));
     sheet.text(at.x() + 0.6 * size, at.y(), text, size, palette::kInk);
     sheet.fill(at.x() + 0.6 * size, at.y() + 1.2 * size, length, 3.0, color);
   };
