@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "native_model/trajectory/columns.h"
+#include "renders/corners.h"
 #include "renders/machine.h"
 #include "renders/palette.h"
 
@@ -228,53 +228,6 @@ void Panel::write_key(Sheet sheet, const std::string& heading) const {
   }
 }
 
-namespace {
-
-// Boxes of one size in the corners of a picture: each in the first corner where it covers neither
-// the disc in the middle nor an earlier box, otherwise in the first corner.
-class Corners {
- public:
-  // reach: the disc's radius. top: where the first box may begin. bottom: the room that is taken at
-  // the lower left; no box is there if it is negative.
-  Corners(const Area& area, double reach, double top, double bottom)
-      : width_(area.width), height_(area.height), reach_(reach), used_{top, top, bottom} {}
-
-  // The upper left corner of the next box.
-  Sheet::Point next(double wide, double high) {
-    int chosen = 0;
-    for (int corner = 2; corner >= 0; --corner)
-      if (is_free(place(corner, wide, high), wide, high) && used_[corner] >= 0.0) chosen = corner;
-    const Sheet::Point at = place(chosen, wide, high);
-    used_[chosen] += high;
-    taken_.push_back({at, {wide, high}});
-    return at;
-  }
-
- private:
-  // Corners: upper left, upper right, lower left.
-  Sheet::Point place(int corner, double wide, double high) const {
-    return {corner == 1 ? width_ - wide : 0.0,
-            corner == 2 ? height_ - used_[corner] - high : used_[corner]};
-  }
-  bool is_free(const Sheet::Point& at, double wide, double high) const {
-    const Sheet::Point middle(0.5 * width_, 0.5 * height_), size(wide, high);
-    const Sheet::Point nearest = middle.cwiseMax(at).cwiseMin(at + size);
-    return (nearest - middle).norm() >= reach_ && std::ranges::none_of(taken_, [&](const Box& box) {
-             return ((at - box.at).array() < box.size.array()).all() &&
-                    ((box.at - at).array() < size.array()).all();
-           });
-  }
-
-  struct Box {
-    Sheet::Point at, size;
-  };
-  double width_, height_, reach_;
-  std::array<double, 3> used_;  // pixels at the corners
-  std::vector<Box> taken_;
-};
-
-}  // namespace
-
 // Scale bars for the clearance and the forces, beside the ring.
 void Panel::write_scale_bars(Sheet sheet) const {
   const Area& area = sheet.area();
@@ -289,6 +242,7 @@ void Panel::write_scale_bars(Sheet sheet) const {
   const auto bar = [&](double length, const std::string& text, const Color& color) {
     const double wide = std::max(length, sheet.text_width(text, size)) + 1.2 * size;
     const Sheet::Point at = corners.next(wide, 1.9 * size);
+    sheet.fill(at.x(), at.y(), wide, 1.7 * size, palette::kBackground.with_alpha(0.8));
     sheet.text(at.x() + 0.6 * size, at.y(), text, size, palette::kInk);
     sheet.fill(at.x() + 0.6 * size, at.y() + 1.2 * size, length, 3.0, color);
   };
