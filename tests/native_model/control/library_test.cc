@@ -216,19 +216,6 @@ TEST_F(LibraryGate, ShowingASceneOpensNoLibrary) {
 
 // ------------------------------------------------------------------ the examples
 
-TEST(OwnController, BringsTheRingToTheRotorByPositionsAlone) {
-  scene::Scene s =
-      read("own_controller.so", "stiffness = 4e5\ndamping = 400\npreload = 20\nbandwidth = 8000\n",
-           {"run.end=0.05", "controller.sample_time=20us", "initial.x=[4e-4]",
-            "controller.sensors.velocity=none", "stator.damping=300"});
-  s.forces.push_back({});
-  s.forces.back().amplitude = 60.0;
-  s.forces.back().frequency = s.rotor.speed;
-  const Trajectory t = test::complete(run_native(s));
-  EXPECT_LT(std::abs(t.column("gap").back()), 1e-9) << "closed";
-  EXPECT_GT(t.column("normal_force").back(), 1.0);
-}
-
 TEST(OwnController, RefusesAWordThatItDoesNotKnow) {
   expect_said(own_law_refusal(read("own_controller.so", "stifness = 1")),
               {"controller.config", "stifness", "give the numbers"});

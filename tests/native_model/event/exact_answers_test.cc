@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <complex>
+#include <cmath>
 #include <numbers>
 
-#include "native_model/oracles/annular_rub.h"
 #include "native_model/oracles/bounces.h"
 #include "native_model/run/run_native.h"
 #include "tests/support/jeffcott.h"
@@ -70,61 +69,6 @@ TEST(EventBenchRing, ThePublishedStates) {
   for (std::size_t k = 0; k < 5; ++k) EXPECT_NEAR(t.impacts[k].t, published[k], 6e-8);
   EXPECT_NEAR(t.impacts.back().t, 10.158e-3, 1e-6);
   EXPECT_LT(t.statistics.energy_residual(), 1e-12);
-}
-
-struct Rub {
-  Jeffcott rotor{.mass = 2.0, .damping = 40.0, .stiffness = 2e5, .friction = 0.15, .speed = 300.0};
-  double load = 150.0, frequency = 100.0 * std::numbers::pi;
-};
-
-void start_on(scene::Scene& scene, std::complex<double> rotor, std::complex<double> ring,
-              double frequency) {
-  const std::complex<double> turn{0.0, frequency};
-  scene.initial.x = {rotor.real()};
-  scene.initial.y = {rotor.imag()};
-  scene.initial.vx = {(turn * rotor).real()};
-  scene.initial.vy = {(turn * rotor).imag()};
-  if (auto& moving = scene.first().stator) {
-    moving->position = {ring.real(), ring.imag()};
-    moving->velocity = {(turn * ring).real(), (turn * ring).imag()};
-  }
-}
-
-void expect_on(const Trajectory& t, const oracle::AnnularRub& exact, double frequency,
-               double clearance) {
-  EXPECT_EQ(t.contact_fraction(), 1.0);
-  for (std::size_t k = 0; k < t.rows(); ++k) {
-    const std::complex<double> z = exact.rotor * std::polar(1.0, frequency * t.column("t")[k]);
-    ASSERT_NEAR(t.column("rotor_x")[k], z.real(), 1e-10 * clearance);
-    ASSERT_NEAR(t.column("rotor_y")[k], z.imag(), 1e-10 * clearance);
-    ASSERT_NEAR(t.column("normal_force")[k], exact.force, 1e-10 * exact.force);
-  }
-}
-
-TEST(EventAnnularRub, OnAFixedRing) {
-  const Rub r;
-  const auto exact = oracle::annular_rub({r.rotor.mass, r.rotor.damping, r.rotor.stiffness},
-                                         r.rotor.clearance, r.rotor.friction, r.load, r.frequency);
-  ASSERT_TRUE(exact);
-  scene::Scene scene = make_scene(r.rotor);
-  test::add_rotating_force(scene, r.load, r.frequency);
-  start_on(scene, exact->rotor, 0.0, r.frequency);
-  scene.run.end = 0.2;
-  expect_on(run_event(scene), *exact, r.frequency, r.rotor.clearance);
-}
-
-TEST(EventAnnularRub, OnAnElasticRing) {
-  const Rub r;
-  const auto exact =
-      oracle::annular_rub({r.rotor.mass, r.rotor.damping, r.rotor.stiffness}, {1.0, 200.0, 1e5},
-                          r.rotor.clearance, r.rotor.friction, r.load, r.frequency);
-  ASSERT_TRUE(exact);
-  scene::Scene scene = make_scene(r.rotor);
-  test::add_ring(scene, 1.0, 200.0, 1e5);
-  test::add_rotating_force(scene, r.load, r.frequency);
-  start_on(scene, exact->rotor, exact->stator, r.frequency);
-  scene.run.end = 0.2;
-  expect_on(run_event(scene), *exact, r.frequency, r.rotor.clearance);
 }
 
 // Backward whip: the Riccati equation while sliding, then rolling at nu = Omega r / delta_0.

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "native_model/control/library.h"
-#include "native_model/run/run_native.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/native_run.h"
@@ -157,22 +156,6 @@ TEST(LongPromises, TheTwoPhaseLawIsSoftAndHoldsTheOrbit) {
   EXPECT_LE(f.rate, passive().rate / 20.0);
   EXPECT_GT(f.contact, 0.98);
   EXPECT_NEAR(f.force, cross.force, 0.1 * cross.force);
-}
-
-// Magnets without a command pull by their bias; `passive` balances that, and equals the mechanical
-// bearing.
-TEST(LongPromises, MagnetsAsAPassiveBearingAreOne) {
-  const auto run = [](const std::string& name) {
-    const scene::Scene s = scene::read_scene(
-        std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml",
-        std::vector<std::string>{"run.end=0.12", "run.step=1e-5", "rotor.modes=2"});
-    return run_native(s);
-  };
-  const Trajectory magnets = run("paper_emulated"), springs = run("paper_passive");
-  const auto &a = magnets.column("stator_x"), &b = springs.column("stator_x");
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-9) << i;
-  EXPECT_GT(*std::max_element(b.begin(), b.end()), 1e-6) << "or the ring was never struck";
 }
 
 }  // namespace

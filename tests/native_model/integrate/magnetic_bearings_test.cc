@@ -105,39 +105,6 @@ TEST(MagneticBearings, HoldARigidShaftAtTheFrequenciesOfTheirSprings) {
   }
 }
 
-const std::vector<std::string> kBusy{"magnetic_bearing.control.integral=2e5",
-                                     "magnetic_bearing[0].control.current_limit=0.6",
-                                     "magnetic_bearing[1].control.fails_at=21.2345e-3",
-                                     "magnetic_bearing[1].control.derivative=3.0",
-                                     "initial.vx=[0.2,0.02,0.0,0.0]",
-                                     "magnetic_bearing[0].negative_stiffness=2e4",
-                                     "run.end=0.025"};
-
-// One is at its limit, the other fails: fixed steps tend to the result of `event` with their order,
-// and the currents have separate columns.
-TEST(MagneticBearings, EachHasItsLimitItsIntegratorAndItsFailure) {
-  const auto busy = [](std::vector<std::string> more) {
-    more.insert(more.end(), kBusy.begin(), kBusy.end());
-    more.emplace_back("contact=none");
-    return levitated_by_two(kTwoMagnets, more);
-  };
-  const Trajectory exact = run_event(busy({}));
-  const std::vector<double>&first = exact.column("bearing_current_x"),
-        &second = exact.column("bearing2_current_x"), &t = exact.column("t");
-  double most = 0.0;
-  for (std::size_t k = 0; k < t.size(); ++k) {
-    most = std::max(most, std::abs(first[k]));
-    EXPECT_EQ(second[k] == 0.0, t[k] > 21.2345e-3) << t[k];
-  }
-  EXPECT_EQ(most, 0.6);
-  EXPECT_LT(exact.statistics.energy_residual(), 1e-9);
-  const Trajectory coarse = run_with(busy({}), scene::Integrator::kVerlet, 2e-5);
-  const Trajectory fine = run_with(busy({}), scene::Integrator::kVerlet, 5e-6);
-  const double by = test::rotor_error(fine, exact);
-  EXPECT_LT(by, 2e-9);
-  EXPECT_LT(by, 0.1 * test::rotor_error(coarse, exact));
-}
-
 // The weight finally acts on the integrators' currents, and a steady start has them at once.
 TEST(MagneticBearings, IntegratorsCarryTheWeightFromASteadyStart) {
   const Trajectory t = run_event(levitated_by_two(

@@ -193,35 +193,5 @@ TEST(MagneticRing, DoesNotStartInACore) {
   EXPECT_THROW(prepare(s), scene::SceneError);
 }
 
-// Saturated currents and limited rates obey every rule; so does a ring that runs into the cores.
-TEST(MagneticRub, SaturationIsSolved) {
-  scene::Scene s = test::shipped("paper_magnetic");
-  s.rotor.geometry->modes = 2;
-  s.run.end = 0.15;
-  s.first().actuator->current_limit = 0.3;
-  for (const double lag : {0.0, 1e-4}) {
-    s.first().actuator->coil_lag = lag;
-    if (lag > 0.0) s.first().actuator->current_rate_limit = 1000.0;
-    for (const scene::Integrator integrator : {scene::Integrator::kEvent}) {
-      const Trajectory t = test::run_with(s, integrator, s.run.step);
-      const std::vector<double>&current = t.column("current_1"), &time = t.column("t");
-      double most = 0.0, steepest = 0.0;
-      for (std::size_t k = 1; k < current.size(); ++k) {
-        most = std::max(most, std::abs(current[k]));
-        steepest =
-            std::max(steepest, std::abs(current[k] - current[k - 1]) / (time[k] - time[k - 1]));
-      }
-      EXPECT_LE(most, 0.3 * (1.0 + 1e-12));
-      EXPECT_GT(most, 0.25) << "or nothing was saturated";
-      if (lag > 0.0) {
-        EXPECT_LE(steepest, 1000.0 * (1.0 + 1e-9));
-        EXPECT_GT(steepest, 900.0);
-      }
-      EXPECT_LT(t.statistics.energy_residual(),
-                integrator == scene::Integrator::kEvent ? 1e-10 : 1e-2);
-    }
-  }
-}
-
 }  // namespace
 }  // namespace rotorub

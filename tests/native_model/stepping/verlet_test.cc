@@ -102,7 +102,10 @@ TEST(Verlet, AnnularRubs) {
           t, [&](double time) { return rub->rotor * std::polar(1.0, kWhirl * time); });
     };
     const scene::Scene scene = rubbing(*rub, elastic);
-    ASSERT_LT(off_the_rub(run_with(scene, scene::Integrator::kEvent)), 1e-13) << "is it stable?";
+    const Trajectory event = run_with(scene, scene::Integrator::kEvent);
+    ASSERT_LT(off_the_rub(event), 1e-13) << "is it stable?";
+    EXPECT_NEAR(event.column("normal_force").back(), rub->force, 1e-9 * rub->force);
+    EXPECT_LT(event.statistics.energy_residual(), 1e-10);
     expect_second_order(converge(scene, off_the_rub));
   }
 }
