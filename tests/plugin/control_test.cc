@@ -243,22 +243,6 @@ TEST_F(LibraryControllerTest, TheSameMeasurementsGiveTheSameCommandsToTheBit) {
   }
 }
 
-// This fixture throws mju_error.
-TEST_F(LibraryControllerTest, AFailureIsAnErrorWithNameAndTime) {
-  for (const char* contact : {"rigid", "coulomb"}) {
-    const scene::Scene s =
-        scene("faulty_controller.so", {"controller.config={fault=\"throw\", at=0.004}",
-                                       std::string("mujoco.contact=") + contact});
-    const ModelPointer m = load(mjcf(s));
-    const DataPointer d = start(m.get());
-    const std::string said = message_of([&] {
-      for (int k = 0; k < 1000; ++k) mj_step(m.get(), d.get());
-    });
-    EXPECT_TRUE(contains(said, {"faulty", "0.004", "thrown in step"})) << contact;
-    EXPECT_NEAR(d->time, 0.004, 2e-5);
-  }
-}
-
 TEST_F(LibraryControllerTest, AModelDoesNotLoadCodeByItself) {
   const ModelPointer m = load(mjcf(scene("recording_controller.so")));
   unsetenv("ROTORUB_CONTROLLER_PATH");

@@ -231,25 +231,6 @@ TEST(Frame, EveryViewOfTheContactIsAnotherPicture) {
   }
 }
 
-TEST(Frame, SameInputSamePicture) {
-  const scene::Scene scene = ring_scene();
-  const Trajectory run = whirling_run();
-  FramePainter first(scene, run, small_options());
-  const Picture before = first.paint(0.03);
-  first.paint(0.07);
-  const Picture again = first.paint(0.03);
-  const Picture other = FramePainter(scene, run, small_options()).paint(0.03);
-  EXPECT_TRUE(same(before, again));
-  EXPECT_TRUE(same(before, other));
-  // One painter does not affect another either.
-  RenderOptions large = small_options();
-  large.width = 800;
-  large.height = 450;
-  FramePainter second(scene, run, large);
-  EXPECT_EQ(second.paint(0.03).width(), 800);
-  EXPECT_TRUE(same(first.paint(0.03), before));
-}
-
 TEST(Frame, SceneWithoutContactShowsTheMachineAlone) {
   RenderOptions options = small_options();
   options.magnification.reset();
