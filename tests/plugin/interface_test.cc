@@ -130,6 +130,30 @@ TEST_F(Interface, InverseLeavesNothing) {
   }
 }
 
+// The contacts run MuJoCo's solver to correct each other, but qacc is an input here.
+TEST_F(Interface, InverseKeepsTheGivenAcceleration) {
+  const ModelPointer m = load(
+      "<mujoco><option timestep=\"0.001\" cone=\"elliptic\"/><size nuserdata=\"21\"/><worldbody>"
+      "<geom name=\"floor\" type=\"plane\" size=\"9 9 1\"/><body pos=\"0 0 0.1\"><freejoint/>"
+      "<geom name=\"box\" type=\"box\" size=\".3 .2 .1\" mass=\"1\"/></body></worldbody><contact>"
+      "<pair name=\"slide\" geom1=\"floor\" geom2=\"box\" friction=\"0.5 0.5 0 0 0\"/></contact>"
+      "<custom><text name=\"rotorub_cone_coulomb_pair\" data=\"slide\"/></custom></mujoco>");
+  const DataPointer d = start(m.get());
+  for (int k = 0; k < 300; ++k) mj_step(m.get(), d.get());
+  d->qvel[0] = 3.0;
+  d->qvel[5] = 1.0;
+  for (int k = 0; k < 20; ++k) mj_step(m.get(), d.get());
+  d->qfrc_applied[1] = 0.3;
+  mj_forward(m.get(), d.get());
+  ASSERT_EQ(d->ncon, 4);
+  const std::vector<mjtNum> given(d->qacc, d->qacc + m->nv);
+  own_inverse(m.get(), d.get());
+  for (int i = 0; i < m->nv; ++i) {
+    EXPECT_EQ(d->qacc[i], given[static_cast<std::size_t>(i)]) << i;
+    EXPECT_NEAR(d->qfrc_inverse[i], d->qfrc_applied[i], 1e-6) << i;
+  }
+}
+
 TEST_F(Interface, DisabledContactIsThatOfARingFarAway) {
   for (const char* rotor : {"modal", "segments"}) {
     const ModelPointer m = load(mjcf(controlled(rotor, "rigid")));
