@@ -54,20 +54,12 @@ std::optional<SpringCrossings::Frozen> SpringCrossings::frozen(double speed) con
   Frozen all;
   all.rotor_ = this;
   all.f_ = springs_(speed) - at_;
-  all.held_ = negatives(Eigen::ArrayXd::Ones(mu_.size()), all.f_);
-  if (all.held_ == 0) return all;
-  // l from a ten thousandth of the lowest eigenvalue of the reference to far above the highest.
-  constexpr double kFirst = 1e-4, kRatio = 4.0;
-  constexpr int kShifts = 40;
-  double shift = kFirst / mu_.abs().maxCoeff();
-  for (int k = 0; k < kShifts; ++k, shift *= kRatio) {
-    if (negatives(1.0 + shift * mu_, all.f_) == 0) return all;
-  }
-  return std::nullopt;
+  if (negatives(Eigen::ArrayXd::Ones(mu_.size()), all.f_) > 0) return std::nullopt;
+  return all;
 }
 
 Eigen::Index SpringCrossings::Frozen::below(double speed) const {
-  return rotor_->negatives(1.0 - speed * speed * rotor_->mu_, f_) - held_;
+  return rotor_->negatives(1.0 - speed * speed * rotor_->mu_, f_);
 }
 
 double SpringCrossings::Frozen::critical(Eigen::Index k) const {

@@ -13,12 +13,6 @@
 //
 // These matrices are small, and one decomposition serves all speeds; a search by eigenvalues at
 // each speed took 13 s for a mesh of 164 modes.
-//
-// If K(s) is not positive definite, the count still gives the critical speeds if D is for some
-// l < 0 in the place of s^2 (a definite pencil: P = K - l A > 0, and the eigenvalues of P^-1 A are
-// real). Then n(D) is the number of eigenvalues of K u = Omega^2 A u between l and s^2, and those
-// between l and 0 are n(K). Thin discs make A indefinite and an oil film near standstill makes K
-// indefinite, but hardly for the same motion.
 #pragma once
 
 #include <Eigen/Core>
@@ -44,7 +38,6 @@ class SpringCrossings {
     friend class SpringCrossings;
     const SpringCrossings* rotor_ = nullptr;
     Eigen::VectorXd f_;
-    Eigen::Index held_ = 0;  // n(K)
   };
 
   // stiffness: K(reference), N x N; inertia: A; shapes: U, N x r. Empty if K is not symmetric and
@@ -57,7 +50,7 @@ class SpringCrossings {
   // Number of critical speeds below `speed` with the springs frozen at `speed`.
   Eigen::Index below(double speed) const;
 
-  // Empty if the count does not give the critical speeds.
+  // Empty if K(speed) is not positive definite, since then the count does not give them.
   std::optional<Frozen> frozen(double speed) const;
 
   // Whether each curve of a critical speed over the springs' speed is crossed at most once between

@@ -118,7 +118,7 @@ TEST(OpposedMagnets, PullBeyondTheirGapAsAt99PercentOfIt) {
         if (controlled) s.magnetic_bearings[0].control = scene::BearingControl{};
         s.first().contact.reset();
         s.initial.x = {start};
-        s.run.end = 1e-3;
+        s.run.end = 8e-4;
         s.run.output_step = 1e-4;
         const Trajectory t = run_with(s, integrator);
         EXPECT_EQ(t.has("bearing_current_x"), controlled);
