@@ -68,7 +68,8 @@ double SpringCrossings::Frozen::critical(Eigen::Index k) const {
   if (!(first > 0.0)) return std::numeric_limits<double>::infinity();
   const Eigen::ArrayXd& mu = rotor_->mu_;
   const double least = (mu > 0.0).select(mu, first).minCoeff();
-  double low = 0.0, high = 1.0 / std::sqrt(first);
+  // Not at a critical speed of the reference, where the count loses its accuracy.
+  double low = 0.0, high = 0.7 / std::sqrt(first);
   while (below(high) <= k) {
     low = high;
     high *= 2.0;
