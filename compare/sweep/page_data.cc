@@ -152,7 +152,8 @@ json branches_json(const MotionBranches& branches, double per_si) {
                return branch_point_json(at, per_si);
              })}};
   });
-  return {{"refused", branches.refused.empty() ? json(nullptr) : json(branches.refused)}, {"lines", lines}};
+  return {{"refused", branches.refused.empty() ? json(nullptr) : json(branches.refused)},
+          {"lines", lines}};
 }
 
 // A sentence with a space before it; empty if no branches were asked for.

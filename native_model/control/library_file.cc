@@ -134,7 +134,7 @@ std::vector<NamedLibrary> libraries_of(const scene::Scene& scene) {
 std::vector<std::string> absolute_libraries(const scene::Scene& scene) {
   std::vector<std::string> all;
   for (const NamedLibrary& library : libraries_of(scene))
-    all.push_back(library.key + "=" + library_path(scene, library).string());
+    all.push_back(library.key + "=" + library_path(scene, library).lexically_normal().string());
   return all;
 }
 

@@ -19,8 +19,8 @@ class Observer {
   // Writes the rows of the start, after an impact at that very instant.
   void started(const Motion& motion);
 
-  // Call it before the motion advances to `now`, by a step or by a part of an impact. Rows at `now`,
-  // up to round-off, are left to arrive().
+  // Call it before the motion advances to `now`, by a step or by a part of an impact. Rows at
+  // `now`, up to round-off, are left to arrive().
   void watch(const Motion& from, SmoothStep& step, Constraint& constraint, double now);
   void watch(const Motion& from, const FiniteImpact& impact, std::size_t phase, double now);
   // Call it after the motion has advanced.

@@ -170,7 +170,7 @@ TEST_F(CliPythonLaw, AnExceptionIsToldOnceInAComparison) {
   EXPECT_EQ(done.code, 3) << done.err;
   const auto count = [](const std::string& text) {
     std::size_t found = 0;
-    const std::string what = "no gain is given";
+    const std::string what = "ValueError: no gain is given";  // its line is quoted too
     for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++found;
     return found;
   };

@@ -238,15 +238,26 @@ TEST(RangeCheck, OfASoftRingIsItsOwnThickness) {
   }
 }
 
-// A shaft that only magnets hold, and whose ring is a pivot: one end flies off around it.
+// A shaft in magnets, one of which has a law of the wrong sign: its end flies off around the ring.
 TEST(RangeCheck, OfAShaftIsTenTimesItsLength) {
   const scene::Scene scene = test::held_shaft(R"(
 [[magnetic_bearing]]
 station = 0.05
-negative_stiffness = 1e6
+negative_stiffness = 1e4
+[magnetic_bearing.control]
+kind = "transfer_function"
+force_per_current = 80
+proportional = 2e4
+numerator = [-2e4]
+denominator = [1.0]
+sample_time = 1e-4
+[[magnetic_bearing]]
+station = 0.55
+negative_stiffness = 1e4
 [magnetic_bearing.control]
 force_per_current = 80
-proportional = 100
+proportional = 2e4
+derivative = 20
 )");
   EXPECT_DOUBLE_EQ(prepare(scene).reach, 6.0);
   for (const Trajectory& t :
