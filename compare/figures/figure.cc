@@ -63,9 +63,8 @@ const Figure kFigures[] = {
      {kRel, kAverage, 1.0},
      of<&Metrics::spin_speed>},
     {{"ring_speed", "ring speed", "rad/s", 1.0,
-      "Mean speed of a turning ring in the last fifth of the run (in summary.json: the speed at "
-      "the "
-      "end); of several, the fastest."},
+      "Mean speed of a turning ring in the last fifth (summary.json: at the end); of several, the "
+      "fastest."},
      {kRel, kAverage, 1.0},
      of<&Metrics::ring_speed>},
     {{"control_force", "rms control force", "N", 1.0,
@@ -90,8 +89,7 @@ const Figure kFigures[] = {
      {kRel, kPeak},
      of<&Metrics::impact_impulse>},
     {{"window_impulse", "largest impulse", "N s", 1.0,
-      "Largest normal impulse within 20 of the scene's steps, over which a soft contact spreads an "
-      "impact."},
+      "Largest normal impulse within 20 of the scene's steps."},
      {.scale = kRel, .judged = kPeak, .by_step = true},
      of<&Metrics::window_impulse>},
     {{"hard_impacts", "hard impacts", "", 1.0,
@@ -108,12 +106,12 @@ const Figure kFigures[] = {
      {kPts, kNo},
      of<&Metrics::contact_fraction>},
     {{"force_deviation", "force scatter", "N", 1.0,
-      "Standard deviation of the step-averaged normal force; impacts make it grow as the step "
+      "Standard deviation of the step-averaged normal force; with impacts it grows as the step "
       "shrinks."},
      {.scale = kRel, .judged = kNo, .by_step = true},
      of<&Metrics::force_deviation>},
     {{"peak_force", "impulse / step, max", "N", 1.0,
-      "Largest impulse of one step, divided by the step; impacts make it grow as the step "
+      "Largest impulse of one step, divided by the step; with impacts it grows as the step "
       "shrinks."},
      {.scale = kRel, .judged = kNo, .by_step = true},
      of<&Metrics::peak_force>},
@@ -130,8 +128,7 @@ const Figure kFigures[] = {
      {kRel, kNo, 0.0, true, false},
      of<&Metrics::rms_penetration>},
     {{"whirl_penetration", "one step's depth", "µm", kMicro,
-      "(v_t dt)^2 / (2 delta_0): penetration of a whirling rotor after one step along the "
-      "tangent."},
+      "(v_t dt)^2 / (2 delta_0): penetration of a whirling rotor after a straight step."},
      {kRel, kNo, 0.0, false, false, true},
      of<&Metrics::whirl_penetration>},
     {{"energy_residual", "energy balance", "ppm", 1e6,

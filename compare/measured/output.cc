@@ -37,7 +37,7 @@ std::vector<ColumnMeaning> make_measured_keys() {
        "found, given, no pair (x and y are not both measured) or circle (uncertain)", ""},
       {"alignment.angle_error", "rad", "as shift_error; null: not found", ""},
       {"alignment.turn_for_shift", "rad/s",
-       "turn of the frame that compensates a shift of a circular motion; or null", ""},
+       "turn of the frame that compensates a shift of a circle; or null", ""},
       {"alignment.by", "", "quantities that were fitted", ""},
       {"alignment.correlation", "", "correlation with the native run; null: nothing moves", ""},
       {"alignment.residual", "", "rms of record less run, divided by the run's rms", ""},
@@ -67,7 +67,7 @@ std::vector<ColumnMeaning> make_measured_keys() {
     names.push_back(fmt::format("figures.{}", f.key));
     keys.push_back({names.back(), figure_si_unit(f), f.meaning, ""});
   }
-  keys.push_back({"remarks", "", "sentences: what was left out, and why", ""});
+  keys.push_back({"remarks", "", "what was left out, and why", ""});
   return keys;
 }
 

@@ -9,7 +9,7 @@ namespace rotorub::scene {
 Table base_table() {
   return {
       "base",
-      "Acceleration of the base (earthquake): a record, a line spectrum, or both.",
+      "Base acceleration (earthquake): a record, lines, or both.",
       "it rests",
       [](Scene& scene) -> void* { return &scene.base.emplace(); },
       {key<&Base::time>("time", kTime, "", "no table", "ascending sample times, two or more"),

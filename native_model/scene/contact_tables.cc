@@ -13,8 +13,8 @@ Table contact() {
   return {
       "contact",
       "Contact of rotor and ring. For several use `[[contact]]`, each followed by its own "
-      "`[contact.stator]`, `[contact.actuator]` and `[contact.controller]` in place of `[stator]` "
-      "and so on.",
+      "`[contact.stator]`, `[contact.actuator]`, `[contact.controller]` instead of `[stator]` and "
+      "so on.",
       "no contact",
       [](Scene& scene) -> void* {
         scene.auxiliary.back().contact.emplace();
@@ -89,7 +89,7 @@ Table friction() {
        rest,
        key<&FrictionLaw::stribeck_speed>("stribeck_speed", kVelocity, "> 0",
                                          "required if static > kinetic",
-                                         "slip at which mu has lost 63 % of the difference"),
+                                         "slip at which 63 % of the difference is lost"),
        key<&FrictionLaw::viscous>("viscous", kSlowness, ">= 0", kStandard,
                                   "increase of mu with the slip")}};
 }

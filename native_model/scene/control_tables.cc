@@ -24,9 +24,9 @@ Table controller() {
            {"passive", "sliding", "cross_coupled", "two_phase", "pd", "lqr", "lqg", "library"},
            kRequired,
            "`passive`: emulated spring and damper; `sliding`: sliding mode that brings the ring to "
-           "the rotor; `cross_coupled`: force -k(Omega) e_z x v, v: the ring's velocity; "
-           "`two_phase`: `sliding`, then `cross_coupled` from the first touch on; `pd`: spring and "
-           "damper on the error of the gap; `lqr`, `lqg`: linear quadratic; `library`: your own"),
+           "the rotor; `cross_coupled`: force -k(Omega) e_z x v (ring velocity v); "
+           "`two_phase`: `sliding`, from the first touch `cross_coupled`; `pd`: spring and damper "
+           "on the gap's error; `lqr`, `lqg`: linear quadratic; `library`: your own"),
        key<&Controller::on>("on", kTime, "", kStandard, "start of the law or its trigger"),
        key<&Controller::sample_time>("sample_time", kTime, ">= 0", kStandard,
                                      "sampling interval; 0: continuous"),
@@ -52,7 +52,7 @@ Table controller() {
                                  "normal force of the lasting contact",
                                  {"sliding", "two_phase", "pd"}),
        key<&Controller::mass_error>("mass_error", kPure, "> -1", kStandard,
-                                    "relative error of the ring mass that the law uses",
+                                    "relative error of the law's ring mass",
                                     {"sliding", "two_phase", "library"}),
        key<&Controller::stiffness>("stiffness", kStiffness, ">= 0", kStandard,
                                    "emulated spring; `pd`: gain on the tracking error",
@@ -70,7 +70,7 @@ Table controller() {
        key<&Controller::handover_time>("handover_time", kTime, "> 0", kStandard,
                                        "fade-out time of the `sliding` force", {"two_phase"}),
        key<&Controller::filter_time>("filter_time", kTime, ">= 0", "one turn of the spin",
-                                     "averaging time of a sampled law's feed-forward",
+                                     "averaging time of a sampled feed-forward",
                                      {"sliding", "two_phase"}),
        key<&Controller::tracking_damping>("tracking_damping", kDamping, ">= 0", "critical damping",
                                           "of the ring about its mean velocity (sampled laws)",
@@ -89,7 +89,7 @@ Table controller() {
 
 Table sensors() {
   return {"controller.sensors",
-          "What a sampled controller measures, with rounding and standard deviations of noise. "
+          "What a sampled controller measures; noise by its standard deviations. "
           "Needs `sample_time`.",
           "exact values",
           [](Scene& scene) -> void* { return &scene.auxiliary.back().controller->sensors; },

@@ -27,7 +27,7 @@ Table stator() {
 
 Table ring_spin() {
   return {"stator.spin",
-          "The rub spins the ring about its axis.",
+          "The rub spins the ring.",
           "the ring does not turn",
           [](Scene& scene) -> void* { return &scene.auxiliary.back().stator->spin.emplace(); },
           {key<&RingSpin::inertia>("inertia", kInertia, "> 0", kRequired,
@@ -61,12 +61,12 @@ Table mount() {
 Table dry_friction() {
   return {
       "stator.dry_friction",
-      "Dry friction under the ring (tolerance ring, friction damper), by Dahl's law.",
+      "Dahl's dry friction under the ring (tolerance ring, friction damper).",
       "none",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().stator->dry_friction.emplace(); },
       {key<&DryFriction::force>("force", kForce, "> 0", kRequired, "force at full slip"),
        key<&DryFriction::presliding>("presliding", kLength, "> 0", kRequired,
-                                     "distance over which the force builds up")}};
+                                     "distance over which it builds up")}};
 }
 
 Table squeeze_film() {

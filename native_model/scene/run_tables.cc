@@ -43,8 +43,7 @@ Table initial() {
            "start on the steady free orbit; not beside `x` to `vy`, `stator`, `stator_velocity`"),
        word<&Scene::initial, &Initial::rub>(
            "rub", {"none", "synchronous", "whip", "rolling"}, kStandard,
-           "start on this lasting rub of `rotorub modes` or `modes --periodic`; not beside "
-           "`steady` or another start"),
+           "start on this lasting rub (`rotorub modes`); not beside `steady` or another start"),
        key<&Scene::initial, &Initial::x>("x", kLength, "", "0", "modal displacements"),
        key<&Scene::initial, &Initial::y>("y", kLength, "", "0", "modal displacements"),
        key<&Scene::initial, &Initial::vx>("vx", kVelocity, "", "0", "modal velocities"),
@@ -62,7 +61,7 @@ Table initial() {
 Table mujoco() {
   return {
       "mujoco",
-      "How MuJoCo runs the scene.",
+      "MuJoCo's model and settings.",
       "the defaults",
       [](Scene& scene) -> void* { return &scene.mujoco; },
       {word<&Mujoco::rotor>("rotor", {"modal", "segments"}, kStandard,
@@ -70,8 +69,8 @@ Table mujoco() {
        key<&Mujoco::segments>("segments", kPure, "in [2, 200]", kStandard,
                               "pieces of the segment rotor"),
        word<&Mujoco::contact>("contact", contact_words<std::vector<std::string_view>>(), kStandard,
-                              "`rigid`: the plugin's impulses; `coulomb`: MuJoCo's soft normal "
-                              "contact with Coulomb friction; `cone`: MuJoCo's friction cone; "
+                              "`rigid`: the plugin's impulses; `coulomb`: soft normal contact with "
+                              "Coulomb friction; `cone`: MuJoCo's friction cone; "
                               "`cone-coulomb`: the cone, corrected for sliding"),
        word<&Mujoco::integrator>("integrator", {"euler", "implicit", "rk4"}, kStandard,
                                  "MuJoCo's integrator"),
@@ -87,7 +86,7 @@ Table mujoco() {
            "B_t of the friction rows of `cone` (solreffriction of MuJoCo 2.3.6)"),
        key<&Mujoco::shadow>("shadow", kPure, "", kStandard, "run the native model alongside"),
        key<&Mujoco::bearing_currents>("bearing_currents", kPure, "", kStandard,
-                                      "two actuators per magnetic bearing with an amplifier")}};
+                                      "two actuators per magnetic bearing with amplifier")}};
 }
 
 void check_initial_lists(const Reading& check) {
@@ -181,7 +180,7 @@ Table run_table() {
            key<&Run::output_step>("output_step", kTime, "> 0", "`end` / 1000",
                                   "time between rows of the series"),
            key<&Run::output_times>("output_times", kTime, ">= 0", "none",
-                                   "further row times, in any order, up to `end`")}};
+                                   "further row times up to `end`")}};
 }
 
 std::vector<Table> start_tables() { return {gravity(), initial(), mujoco()}; }

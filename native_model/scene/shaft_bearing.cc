@@ -103,7 +103,7 @@ Table shaft_bearing_table() {
 Table pedestal_table() {
   return Table{
       "rotor.bearing.pedestal",
-      "A body between this bearing and the base, without weight.",
+      "A body between bearing and base, without weight.",
       "the base carries the bearing",
       [](Scene& scene) -> void* { return &geometry_of(scene).bearings.back().pedestal.emplace(); },
       {key<&Pedestal::mass>("mass", kMass, "> 0", kRequired, "mass"),
@@ -116,7 +116,7 @@ Table pedestal_table() {
 Table journal_table() {
   return Table{
       "rotor.bearing.journal",
-      "A plain journal bearing, with the coefficients about its position of rest under `load`.",
+      "A plain journal bearing, by its coefficients at rest under `load`.",
       "springs and dampers, or tables",
       [](Scene& scene) -> void* { return &geometry_of(scene).bearings.back().journal.emplace(); },
       {key<&JournalBearing::diameter>("diameter", kLength, "> 0", kRequired, "of the journal"),

@@ -75,8 +75,8 @@ const ColumnMeaning kImpacts[] = {
     {"slip_before", "m/s", "slip before the impact", ""},
     {"slip_after", "m/s", "slip after the impact", ""},
     {"energy_change", "J",
-     "change of the system's energy; the sum over one t is positive only with soft contacts (about "
-     "1e-4 J) and impacts of finite duration",
+     "change of energy; the sum over one t is positive only with soft contacts (about 1e-4 J) and "
+     "impacts of finite duration",
      ""},
     {kContactColumn, "", "number of the contact, from 1", kSeveralContacts},
 };
