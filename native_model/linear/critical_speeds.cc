@@ -227,16 +227,8 @@ std::vector<double> critical_speeds(const WhirlSystem& system, double sense) {
   std::map<double, std::vector<double>> known;  // cache: each k asks at many of the same speeds
   const auto at = [&](double speed) -> const std::vector<double>& {
     const auto [place, fresh] = known.try_emplace(speed);
-    if (!fresh) return place->second;
-    std::vector<double>& all = place->second;
-    const auto frozen = counts ? counts->frozen(speed) : std::nullopt;
-    if (!frozen) return all = of_constant_springs(system, sense * speed, crossed);
-    for (Eigen::Index k = 0; k < most; ++k) {
-      const double critical = frozen->critical(each * k);
-      if (std::isinf(critical)) break;
-      all.push_back(critical);
-    }
-    return all;
+    if (fresh) place->second = of_constant_springs(system, sense * speed, crossed);
+    return place->second;
   };
   std::vector<double> all_found;
   // Search by the eigenvalues at each speed, where springs rise so fast that curves may be crossed
@@ -273,8 +265,8 @@ std::vector<double> critical_speeds(const WhirlSystem& system, double sense) {
   // near standstill has many such points, and its stiffness is not definite there.)
   const auto is_far_above = [&](double speed, double end) {
     constexpr double kFar = 4.0;
-    if (const auto frozen = counts ? counts->frozen(speed) : std::nullopt)
-      return frozen->below(kFar * end) == 0;
+    if (const auto below = counts ? counts->frozen_below(speed, kFar * end) : std::nullopt)
+      return *below == 0;
     const std::vector<double>& all = at(speed);
     return !all.empty() && all.front() > kFar * end;
   };

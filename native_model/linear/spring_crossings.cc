@@ -50,37 +50,10 @@ Eigen::Index SpringCrossings::below(double speed) const {
   return negatives(1.0 - speed * speed * mu_, springs_(speed) - at_);
 }
 
-std::optional<SpringCrossings::Frozen> SpringCrossings::frozen(double speed) const {
-  Frozen all;
-  all.rotor_ = this;
-  all.f_ = springs_(speed) - at_;
-  if (negatives(Eigen::ArrayXd::Ones(mu_.size()), all.f_) > 0) return std::nullopt;
-  return all;
-}
-
-Eigen::Index SpringCrossings::Frozen::below(double speed) const {
-  return rotor_->negatives(1.0 - speed * speed * rotor_->mu_, f_);
-}
-
-double SpringCrossings::Frozen::critical(Eigen::Index k) const {
-  constexpr double kHighest = 1e6;  // relative to the highest critical speed of the reference
-  const double first = rotor_->mu_.maxCoeff();
-  if (!(first > 0.0)) return std::numeric_limits<double>::infinity();
-  const Eigen::ArrayXd& mu = rotor_->mu_;
-  const double least = (mu > 0.0).select(mu, first).minCoeff();
-  // Not at a critical speed of the reference, where the count loses its accuracy.
-  double low = 0.0, high = 0.7 / std::sqrt(first);
-  while (below(high) <= k) {
-    low = high;
-    high *= 2.0;
-    if (!(high * high * least < kHighest * kHighest))
-      return std::numeric_limits<double>::infinity();
-  }
-  while (true) {
-    const double middle = 0.5 * (low + high);
-    if (middle <= low || middle >= high) return middle;
-    (below(middle) > k ? high : low) = middle;
-  }
+std::optional<Eigen::Index> SpringCrossings::frozen_below(double at, double speed) const {
+  const Eigen::VectorXd f = springs_(at) - at_;
+  if (negatives(Eigen::ArrayXd::Ones(mu_.size()), f) > 0) return std::nullopt;
+  return negatives(1.0 - speed * speed * mu_, f);
 }
 
 bool SpringCrossings::once_between(double a, double b) const {

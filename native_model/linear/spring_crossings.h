@@ -26,20 +26,6 @@ class SpringCrossings {
  public:
   using Springs = std::function<Eigen::VectorXd(double speed)>;  // r, F(s)
 
-  // The rotor with its springs frozen at one speed. Belongs to the SpringCrossings.
-  class Frozen {
-   public:
-    // Number of critical speeds below `speed`.
-    Eigen::Index below(double speed) const;
-    // The k-th critical speed, from 0, to round-off; infinite if there are fewer.
-    double critical(Eigen::Index k) const;
-
-   private:
-    friend class SpringCrossings;
-    const SpringCrossings* rotor_ = nullptr;
-    Eigen::VectorXd f_;
-  };
-
   // stiffness: K(reference), N x N; inertia: A; shapes: U, N x r. Empty if K is not symmetric and
   // positive definite, since only then does the count give critical speeds.
   static std::optional<SpringCrossings> of(const Eigen::MatrixXd& stiffness,
@@ -50,8 +36,9 @@ class SpringCrossings {
   // Number of critical speeds below `speed` with the springs frozen at `speed`.
   Eigen::Index below(double speed) const;
 
-  // Empty if K(speed) is not positive definite, since then the count does not give them.
-  std::optional<Frozen> frozen(double speed) const;
+  // The same below `speed` with the springs frozen at the speed `at`; empty if K(at) is not
+  // positive definite, since then the count does not give critical speeds.
+  std::optional<Eigen::Index> frozen_below(double at, double speed) const;
 
   // Whether each curve of a critical speed over the springs' speed is crossed at most once between
   // a and b, two neighbouring points of the tables, so that the counts at the ends are sufficient:
