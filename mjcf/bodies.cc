@@ -253,8 +253,8 @@ class Bodies {
   // Two joints without a shape for each feedback state, which keep the integrator of a magnetic
   // bearing in MuJoCo's state, qvel.
   void integrators() {
-    for (int i = 0; i < model_.layout.integrals; i += 2) {
-      const int at = model_.layout.integral() + i;
+    for (int i = 0; i < model_.layout.feedback_states; i += 2) {
+      const int at = model_.layout.feedback_state() + i;
       joint(names::bearing_integral(i), "slide", "1 0 0", at);
       joint(names::bearing_integral(i + 1), "slide", "0 1 0", at + 1);
       open_moving_body(names::bearing_integrator(i / 2).c_str());
@@ -322,8 +322,8 @@ std::vector<int> order_beside_the_rotor(const Model& model) {
   for (const AuxiliaryBearing& at : model.auxiliary) {
     if (at.housing != kAbsent) order.insert(order.end(), {at.housing, at.housing + 1});
   }
-  for (int i = l.bristle(); i < l.integral(); ++i) order.push_back(i);
-  for (int i = l.integral(); i < l.coil(); ++i) order.push_back(i);
+  for (int i = l.bristle(); i < l.feedback_state(); ++i) order.push_back(i);
+  for (int i = l.feedback_state(); i < l.coil(); ++i) order.push_back(i);
   return order;
 }
 

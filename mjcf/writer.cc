@@ -244,7 +244,7 @@ class Document {
       const int at = f.states.current + axis;
       xml_.line(fmt::format(R"(<motor name="{}" joint="{}" gear="{}" {}/>)",
                             names::bearing_current(f.number, axis),
-                            names::bearing_integral(at - model_.layout.integral()),
+                            names::bearing_integral(at - model_.layout.feedback_state()),
                             model_.damping[at], ctrl_range(f.law.current_limit)));
     }
   }

@@ -46,7 +46,7 @@ std::string joint_name(const Model& model, int i) {
   if (i < l.phi()) return names::bending_joint('y', i - l.y() + 1);
   if (i < l.theta()) return names::kSpinJoint;
   if (i < l.ring()) return names::torsion_joint(i - l.theta() + 1);
-  if (i >= l.integral()) return names::bearing_integral(i - l.integral());
+  if (i >= l.feedback_state()) return names::bearing_integral(i - l.feedback_state());
   for (std::size_t k = 0; k < model.auxiliary.size(); ++k) {
     const AuxiliaryBearing& at = model.auxiliary[k];
     if (i == at.ring) return names::of_bearing(k, names::kRingX);

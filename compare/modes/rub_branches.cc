@@ -234,9 +234,10 @@ class Diagram {
 
 bool lies_on(const RubBranch& branch, double value, const PeriodicRub& rub) {
   constexpr double kNear = 0.02, kBeside = 0.05;
+  constexpr double kAngle = 1e-6;  // rad, round-off of the angle around the ring in one period
   const periodic::ContactFigures& f = rub.figures[rub.contact];
-  const auto is_between = [](double x, double a, double b) {
-    const double slack = kNear * std::max(std::abs(a), std::abs(b));
+  const auto is_between = [](double x, double a, double b, double least = 0.0) {
+    const double slack = kNear * std::max(std::abs(a), std::abs(b)) + least;
     return x >= std::min(a, b) - slack && x <= std::max(a, b) + slack;
   };
   for (std::size_t k = 0; k + 1 < branch.points.size(); ++k) {
@@ -252,7 +253,7 @@ bool lies_on(const RubBranch& branch, double value, const PeriodicRub& rub) {
                                    &fb = b.rub.figures[rub.contact];
     if (is_between(f.mean_force, fa.mean_force, fb.mean_force) &&
         is_between(f.amplitude, fa.amplitude, fb.amplitude) &&
-        is_between(f.whirl, fa.whirl, fb.whirl) &&
+        is_between(f.whirl, fa.whirl, fb.whirl, kAngle / rub.settled.motion.period) &&
         is_between(rub.settled.motion.period, a.rub.settled.motion.period,
                    b.rub.settled.motion.period)) {
       return true;

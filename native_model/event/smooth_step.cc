@@ -79,7 +79,9 @@ void SmoothStep::update_tolerances(const Motion& motion) {
   // coil, or the integrals of the run.
   for (int i = l.bristle(); i < n; ++i) {
     of_q[i] = kInfinity;
-    of_v[i] = tolerance * (i < l.integral() ? 1.0 : i < l.coil() ? state_size(i) : coil_limit(i));
+    of_v[i] = tolerance * (i < l.feedback_state() ? 1.0
+                           : i < l.coil()         ? state_size(i)
+                                                  : coil_limit(i));
   }
   std::fill(tolerance_.begin() + 2 * n, tolerance_.end(), kInfinity);
   if (!round_off_.empty()) find_round_off(motion);
@@ -239,7 +241,7 @@ std::string part_of(const Layout& l, int i) {
   if (i < l.ring()) return numbered("the rotor's torsion mode ", l.theta());
   if (i < l.ring_angle()) return "the ring's motion";
   if (i < l.bristle()) return "the ring's spin";
-  if (i < l.integral()) return "dry friction under the ring";
+  if (i < l.feedback_state()) return "dry friction under the ring";
   if (i < l.coil()) return "a magnetic bearing's integrator, filter or amplifier";
   return numbered("the current of coil ", l.coil());
 }

@@ -34,14 +34,14 @@ struct Bending : LinearParts {
 Bending bending(const Model& m) {
   const Layout& l = m.layout;
   Bending b(linear_parts(m, m.speed));
-  b.station = b.sensor = Eigen::MatrixXd::Zero(2 * l.modes, l.integrals);
+  b.station = b.sensor = Eigen::MatrixXd::Zero(2 * l.modes, l.feedback_states);
   Eigen::Index at = 0;
   for (const StationFeedback& f : m.feedbacks) {
     if (f.states.stored == kAbsent || !f.works.at(0.0)) continue;
     put_planes(b.station, at, f.shape);
     put_planes(b.sensor, at, f.sensor_shape());
     for (int plane = 0; plane < 2; ++plane) {
-      b.stored.push_back(f.states.stored - l.integral() + plane);
+      b.stored.push_back(f.states.stored - l.feedback_state() + plane);
       b.owner.push_back(&f);
     }
     at += 2;
@@ -164,7 +164,7 @@ struct Answer {
 };
 // Sets the states that follow from q and the integrators: filters and amplifiers.
 void follow(const Model& m, double nu, Answer& answer) {
-  const int n = m.layout.modes, first = m.layout.integral();
+  const int n = m.layout.modes, first = m.layout.feedback_state();
   for (const StationFeedback& f : m.feedbacks) {
     if (!f.works.at(0.0)) continue;
     for (int plane = 0; plane < 2; ++plane) {
@@ -221,7 +221,8 @@ Answer answer(const scene::Scene& scene, const Model& m, const Bending& b, const
                                    " rad/s, where the free rotor has a resonance without "
                                    "damping: its orbit has no bound");
   }
-  Answer answer{scale.asDiagonal() * solved.x.head(n), Eigen::VectorXcd::Zero(m.layout.integrals)};
+  Answer answer{scale.asDiagonal() * solved.x.head(n),
+                Eigen::VectorXcd::Zero(m.layout.feedback_states)};
   for (std::size_t k = 0; k < b.stored.size(); ++k) {
     answer.stored[b.stored[k]] =
         solved.x[n + static_cast<Eigen::Index>(k)] / (unit * b.owner[k]->law.force_per_current);
@@ -236,9 +237,10 @@ Eigen::Vector2d current_amplitude(const Model& m, const StationFeedback& feedbac
   const int n = m.layout.modes;
   const Phasor gain = gain_of(feedback, frequency);
   const auto of = [&](const Eigen::VectorXd& shape, int plane) {
-    const Phasor stored = feedback.states.stored == kAbsent
-                              ? Phasor(0.0)
-                              : answer.stored[feedback.states.stored - m.layout.integral() + plane];
+    const Phasor stored =
+        feedback.states.stored == kAbsent
+            ? Phasor(0.0)
+            : answer.stored[feedback.states.stored - m.layout.feedback_state() + plane];
     return std::abs(gain * shape.cast<Phasor>().dot(answer.q.segment(plane * n, n)) + stored);
   };
   return {of(feedback.sensor_shape().x, 0), of(feedback.sensor_shape().y, 1)};
@@ -299,7 +301,7 @@ FreeMotion free_motion(const scene::Scene& scene, const Model& m) {
   const Bending b = bending(m);
   check_stability(scene, m);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(2 * l.modes);
-  FreeMotion motion{rest, rest, Eigen::VectorXd::Zero(l.integrals)};
+  FreeMotion motion{rest, rest, Eigen::VectorXd::Zero(l.feedback_states)};
   motion.orbits.resize(m.auxiliary.size());
   motion.current.assign(m.feedbacks.size(), Eigen::Vector2d::Zero());
   for (const Load& load : loads_of(scene, m)) {

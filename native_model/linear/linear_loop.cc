@@ -49,7 +49,7 @@ LinearLoop linear_loop(const Model& m, double speed) {
   LinearLoop loop{closed_loop(m, speed).first_order(), 0.0, {}};
   if (m.samplers.empty()) return loop;
   loop.every = m.samplers.front().sample_time;
-  const Eigen::Index bending = 2 * m.layout.modes, kept = m.layout.integrals;
+  const Eigen::Index bending = 2 * m.layout.modes, kept = m.layout.feedback_states;
   const Eigen::MatrixXd taken = linear_sample(m);
   Eigen::MatrixXd sample = Eigen::MatrixXd::Identity(2 * bending + kept, 2 * bending + kept);
   sample.bottomLeftCorner(kept, bending) = taken.leftCols(bending);

@@ -30,21 +30,22 @@ void balance_from(Eigen::Index first, Eigen::MatrixXd& a, Eigen::VectorXd& unit_
 ClosedLoop closed_loop(const Model& given, double speed) {
   const Model m = without_offsets(with_linear_feedback(given));
   const Layout& l = m.layout;
-  const Eigen::Index bending = 2 * l.modes, states = l.integrals;
+  const Eigen::Index bending = 2 * l.modes, states = l.feedback_states;
   ClosedLoop loop{linear_parts(given, speed), Eigen::MatrixXd::Zero(bending, states),
                   Eigen::MatrixXd::Zero(states, bending), Eigen::MatrixXd::Zero(states, bending),
                   Eigen::MatrixXd::Zero(states, states)};
   if (states == 0) return loop;
   const auto works = equations::working_at(m, 0.0);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(m.nq());
-  const Eigen::VectorXd inverse = m.mass.segment(l.integral(), states).cwiseInverse();
+  const Eigen::VectorXd inverse = m.mass.segment(l.feedback_state(), states).cwiseInverse();
   Eigen::VectorXd f(m.nq());
   const auto rates = [&](const Eigen::VectorXd& q, const Eigen::VectorXd& v) -> Eigen::VectorXd {
     f.setZero();
     equations::add_feedbacks(m, works.data(), q.data(), v.data(), f.data());
-    f.segment(l.integral(), states) -=
-        m.damping.segment(l.integral(), states).cwiseProduct(v.segment(l.integral(), states));
-    return inverse.cwiseProduct(f.segment(l.integral(), states));
+    f.segment(l.feedback_state(), states) -=
+        m.damping.segment(l.feedback_state(), states)
+            .cwiseProduct(v.segment(l.feedback_state(), states));
+    return inverse.cwiseProduct(f.segment(l.feedback_state(), states));
   };
   for (Eigen::Index j = 0; j < bending; ++j) {
     const Eigen::VectorXd unit = Eigen::VectorXd::Unit(m.nq(), j);
@@ -52,7 +53,7 @@ ClosedLoop closed_loop(const Model& given, double speed) {
     loop.of_v.col(j) = rates(rest, unit);
   }
   for (Eigen::Index k = 0; k < states; ++k) {
-    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(m.nq(), l.integral() + k);
+    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(m.nq(), l.feedback_state() + k);
     loop.of_state.col(k) = rates(rest, unit);
     loop.force.col(k) = f.head(bending);
   }

@@ -9,7 +9,7 @@ namespace rotorub::equations {
 // The two values of a feedback state that begins at coordinate `at`; `otherwise` if there is no
 // such state.
 inline Pair feedback_state(const Model& m, int at, const double* v, const Pair& otherwise) {
-  if (m.layout.integrals == 0 || at == kAbsent) return otherwise;
+  if (m.layout.feedback_states == 0 || at == kAbsent) return otherwise;
   return {v[at], v[at + 1]};
 }
 
@@ -71,7 +71,8 @@ inline void add_feedbacks(const Model& m, const double* shares, const double* q,
     const BearingCurrent now = bearing_current(m, bearing, deflection, rate, v);
     add_station_force(n, bearing.shape, law.force(share, r.x, now.current.x),
                       law.force(share, r.y, now.current.y), f);
-    if (m.layout.integrals > 0) add_feedback_rates(m, bearing, share, deflection, rate, now, f);
+    if (m.layout.feedback_states > 0)
+      add_feedback_rates(m, bearing, share, deflection, rate, now, f);
   }
 }
 

@@ -60,7 +60,7 @@ void add_memory(const Model& m, double speed, LinearPlant& p) {
   const Eigen::Index half = p.half(), bending = 2 * l.modes;
   const auto s = static_cast<Eigen::Index>(p.memory.size()), n = 2 * half + s;
   std::vector<Eigen::Index> from;  // indices among the states of the model's feedbacks
-  for (const int at : p.memory) from.push_back(at - l.integral());
+  for (const int at : p.memory) from.push_back(at - l.feedback_state());
   p.a.conservativeResizeLike(Eigen::MatrixXd::Zero(n, n));
   p.a.block(half, 2 * half, bending, s) =
       loop.mass.cwiseInverse().asDiagonal() * loop.force(Eigen::all, from);

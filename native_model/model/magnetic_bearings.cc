@@ -129,7 +129,7 @@ int feedback_states(const scene::Scene& scene, const std::vector<SampledFeedback
 
 void add_magnetic_bearings(const scene::Scene& scene, const std::vector<MagnetShapes>& shapes,
                            Model& model) {
-  int next = model.layout.integral();
+  int next = model.layout.feedback_state();
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     add_magnetic_bearing(scene, k, shapes[k], next, model);
   }

@@ -11,7 +11,7 @@ namespace rotorub {
 // are indices in the scene, and no coordinates are assigned yet. Opens the library of
 // [magnetic_control].
 std::vector<SampledFeedback> magnetic_samplers(const scene::Scene& scene);
-// Number of coordinates for the states of feedbacks and samplers: Layout::integrals.
+// Number of coordinates for the states of feedbacks and samplers: Layout::feedback_states.
 int feedback_states(const scene::Scene& scene, const std::vector<SampledFeedback>& samplers);
 
 // shapes: one per magnetic bearing of the scene. The model must already have its layout, its

@@ -37,7 +37,7 @@ Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor,
     layout.bristles += bearing.stator->spin && bearing.stator->spin->drags() ? 1 : 0;
     layout.coils += bearing.actuator && bearing.actuator->coil_lag > 0.0 ? 2 : 0;
   }
-  layout.integrals = feedback_states(scene, samplers);
+  layout.feedback_states = feedback_states(scene, samplers);
   return layout;
 }
 
@@ -86,7 +86,7 @@ void fill_diagonals(const scene::Scene& scene, const ModalRotor& rotor, Model& m
   put(l.y(), rotor.y.mass, rotor.y.stiffness, rotor.y.damping);
   if (l.spin) model.mass[l.phi()] = rotor.spin_inertia;
   put(l.theta(), rotor.torsion.inertia, rotor.torsion.stiffness, rotor.torsion.damping);
-  model.mass.segment(l.bristle(), l.bristles + l.integrals).setConstant(kStateMass);
+  model.mass.segment(l.bristle(), l.bristles + l.feedback_states).setConstant(kStateMass);
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     const scene::AuxiliaryBearing& from = scene.auxiliary[k];
     const AuxiliaryBearing& at = model.auxiliary[k];

@@ -48,14 +48,14 @@ inline constexpr std::size_t kMaxUnbalances = 32;
 
 // Where each part of q begins; an absent part has length 0.
 struct Layout {
-  int modes = 0;      // n, bending modes in each plane
-  int spin = 0;       // 1 with a drive, else 0
-  int torsion = 0;    // elastic torsion modes
-  int stator = 0;     // 2 per moving ring, and 2 per housing
-  int ring_spin = 0;  // 1 per ring that turns
-  int bristles = 0;   // 2 per ring with dry friction, 1 per ring with dry drag on its spin
-  int integrals = 0;  // 2 per state of a magnetic bearing's feedback
-  int coils = 0;      // 2 per ring with a coil lag
+  int modes = 0;            // n, bending modes in each plane
+  int spin = 0;             // 1 with a drive, else 0
+  int torsion = 0;          // elastic torsion modes
+  int stator = 0;           // 2 per moving ring, and 2 per housing
+  int ring_spin = 0;        // 1 per ring that turns
+  int bristles = 0;         // 2 per ring with dry friction, 1 per ring with dry drag on its spin
+  int feedback_states = 0;  // 2 per state of a magnetic bearing's feedback
+  int coils = 0;            // 2 per ring with a coil lag
   int x() const { return 0; }
   int y() const { return modes; }
   int phi() const { return 2 * modes; }
@@ -63,8 +63,8 @@ struct Layout {
   int ring() const { return theta() + torsion; }
   int ring_angle() const { return ring() + stator; }
   int bristle() const { return ring_angle() + ring_spin; }
-  int integral() const { return bristle() + bristles; }
-  int coil() const { return integral() + integrals; }
+  int feedback_state() const { return bristle() + bristles; }
+  int coil() const { return feedback_state() + feedback_states; }
   int mechanical() const { return bristle(); }  // number of leading coordinates that store energy
   int nq() const { return coil() + coils; }
   // True if coordinate i is an angle.

@@ -145,7 +145,7 @@ void begin_samples(const Model& m, double t, const double* q, double* v) {
 }
 
 Eigen::MatrixXd linear_sample(const Model& m) {
-  const Eigen::Index bending = 2 * m.layout.modes, states = m.layout.integrals;
+  const Eigen::Index bending = 2 * m.layout.modes, states = m.layout.feedback_states;
   Eigen::MatrixXd sample(states, bending + states);
   Eigen::VectorXd q(m.nq()), v(m.nq());
   for (Eigen::Index j = 0; j < bending + states; ++j) {
@@ -154,13 +154,13 @@ Eigen::MatrixXd linear_sample(const Model& m) {
     if (j < bending) {
       q[j] = 1.0;
     } else {
-      v[m.layout.integral() + j - bending] = 1.0;
+      v[m.layout.feedback_state() + j - bending] = 1.0;
     }
     for (const SampledFeedback& s : m.samplers) {
       const double later = 1000.0 * s.sample_time;  // not the first sample
       take_sample(m, s, later, q.data(), v.data());
     }
-    sample.col(j) = v.segment(m.layout.integral(), states);
+    sample.col(j) = v.segment(m.layout.feedback_state(), states);
   }
   return sample;
 }

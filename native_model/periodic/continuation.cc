@@ -48,9 +48,15 @@ int unstable(PointKind kind, const CorrectedPoint& at) {
   }));
 }
 
-// Zero at a point of this kind: dp/ds, or |m| - 1 of the multiplier next to the unit circle.
+// Zero at a point of this kind: dp/ds, the product of all 1 + m for a period doubling, which needs
+// no real multiplier on either side, or |m| - 1 of the multiplier next to the unit circle.
 std::optional<double> test_of(PointKind kind, const CorrectedPoint& at) {
   if (kind == PointKind::kFold) return at.tangent.parameter;
+  if (kind == PointKind::kPeriodDoubling) {
+    Complex product = 1.0;
+    for (const Complex& m : at.point.motion.multipliers) product *= (1.0 + m) / (1.0 + std::abs(m));
+    return product.real();
+  }
   std::optional<double> nearest;
   for (const Complex& m : at.point.motion.multipliers) {
     const double off = std::abs(m) - 1.0;

@@ -14,7 +14,7 @@ void add_orbit_start(const scene::Scene& scene, Model& m) {
   FreeMotion motion = free_motion(scene, m);
   m.q0.head(2 * l.modes) += motion.q;
   m.v0.head(2 * l.modes) += motion.v;
-  m.v0.segment(l.integral(), l.integrals) += motion.stored;
+  m.v0.segment(l.feedback_state(), l.feedback_states) += motion.stored;
   for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
     const std::string beyond = beyond_limit(scene, m.feedbacks[k], motion.current[k].maxCoeff());
     if (beyond.empty()) continue;

@@ -34,7 +34,7 @@ bool beyond_matrix(const Model& m) {
                          return film.law.follows();
                        });
   return turns || curve || follows || std::ranges::any_of(m.feedbacks, feedback_switches) ||
-         l.integrals > 0 || l.coils > 0 || !m.supports.empty();
+         l.feedback_states > 0 || l.coils > 0 || !m.supports.empty();
 }
 
 bool has_magnets(const Model& m) {
@@ -95,7 +95,7 @@ LoadKick::LoadKick(const Model& m, double h)
       rings_by_actuators_(has_magnets(m) || m.auxiliary.size() > 1),
       commands_move_rings_alone_(m.supports.empty() && !has_magnets(m)),
       samples_(!m.samplers.empty()),
-      sampled_(samples_ ? static_cast<std::size_t>(m.layout.integrals) : 0),
+      sampled_(samples_ ? static_cast<std::size_t>(m.layout.feedback_states) : 0),
       f_(static_cast<std::size_t>(m.nq())),
       change_(f_),
       forces_(f_),

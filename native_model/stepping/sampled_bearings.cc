@@ -14,11 +14,11 @@ namespace eq = equations;
 void LoadKick::find_samples(const StepState& state, double t, double begin) {
   double after[kMaxCoordinates];
   const double* v = state.v_start.data();
-  const int first = m_.layout.integral();
+  const int first = m_.layout.feedback_state();
   const double share = begin == t ? 1.0 : 0.5;  // of the kick after the sample
   std::copy_n(v, state.nq(), after);
   sampled_now_ = take_samples(m_, t, state.h, state.q_k.data(), after);
-  for (int i = 0; i < m_.layout.integrals; ++i) {
+  for (int i = 0; i < m_.layout.feedback_states; ++i) {
     const double change = 2.0 * share * (after[first + i] - v[first + i]);
     sampled_[static_cast<std::size_t>(i)] = m_.mass[first + i] * change / state.h;
   }
@@ -35,8 +35,8 @@ void LoadKick::find_samples(const StepState& state, double t, double begin) {
 }
 
 void LoadKick::add_samples(double* f) const {
-  for (int i = 0; i < m_.layout.integrals; ++i) {
-    f[m_.layout.integral() + i] += sampled_[static_cast<std::size_t>(i)];
+  for (int i = 0; i < m_.layout.feedback_states; ++i) {
+    f[m_.layout.feedback_state() + i] += sampled_[static_cast<std::size_t>(i)];
   }
   for (std::size_t k = 0; k < m_.feedbacks.size(); ++k) {
     const StationFeedback& bearing = m_.feedbacks[k];

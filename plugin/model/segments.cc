@@ -136,11 +136,12 @@ Model bending_loads(const scene::Scene& scene, const Model& model, const Segment
   Layout& l = loads.layout;
   l.modes = static_cast<int>(chain.plane_size());
   l.spin = model.layout.spin;
-  l.integrals = model.layout.integrals;
+  l.feedback_states = model.layout.feedback_states;
   loads.speed = model.speed;
   loads.spin_angle = model.spin_angle;
   loads.mass = Eigen::VectorXd::Zero(l.nq());
-  loads.mass.tail(l.integrals) = model.mass.segment(model.layout.integral(), l.integrals);
+  loads.mass.tail(l.feedback_states) =
+      model.mass.segment(model.layout.feedback_state(), l.feedback_states);
   loads.internal_xx = loads.internal_xy = loads.internal_yy = ModeMatrix(matrices.internal);
   // A translation of the whole chain moves only its end coordinates, because its tilts are
   // relative.
@@ -165,13 +166,13 @@ Model bending_loads(const scene::Scene& scene, const Model& model, const Segment
     feedback.shape = shape(bearing.station);
     if (feedback.sensor) feedback.sensor = shape(*bearing.sensor_station);
     feedback.law.linear_spring = 0.0;  // the chain has no such spring
-    feedback.states = feedback.states.moved(l.integral() - model.layout.integral());
+    feedback.states = feedback.states.moved(l.feedback_state() - model.layout.feedback_state());
     loads.feedbacks.push_back(std::move(feedback));
   }
   loads.samplers = model.samplers;
   for (SampledFeedback& sampler : loads.samplers) {
     for (int* at : {&sampler.command, &sampler.state}) {
-      *at += l.integral() - model.layout.integral();
+      *at += l.feedback_state() - model.layout.feedback_state();
     }
   }
   return loads;
@@ -229,7 +230,7 @@ Eigen::VectorXd bending_state(const Config& config, AddressPart part, const mjtN
 }
 
 int stored_address(const Config& config, int k) {
-  return config.dof_address[static_cast<std::size_t>(config.model.layout.integral() + k)];
+  return config.dof_address[static_cast<std::size_t>(config.model.layout.feedback_state() + k)];
 }
 
 // Loads of the rings' supports beyond their joints' springs, nq values; empty if there are none.
@@ -262,7 +263,8 @@ void add_segment_loads(const Config& config, const mjModel* m, mjData* d) {
   const Layout& l = bending.layout;
   const Eigen::VectorXd q = bending_state(config, &JointAddress::position, d->qpos);
   Eigen::VectorXd v = bending_state(config, &JointAddress::velocity, d->qvel);
-  for (int k = 0; k < l.integrals; ++k) v[l.integral() + k] = d->qvel[stored_address(config, k)];
+  for (int k = 0; k < l.feedback_states; ++k)
+    v[l.feedback_state() + k] = d->qvel[stored_address(config, k)];
 
   Eigen::VectorXd f = Eigen::VectorXd::Zero(l.nq());
   take_samples_in_step(bending, d->time, m->opt.timestep, q.data(), v.data(), f.data());
@@ -282,8 +284,8 @@ void add_segment_loads(const Config& config, const mjModel* m, mjData* d) {
   equations::add_unbalance(bending, angles, equations::spin_speed(bending, v.data()), f.data());
   scatter(s.x, f.segment(l.x(), l.modes), d->qfrc_passive);
   scatter(s.y, f.segment(l.y(), l.modes), d->qfrc_passive);
-  for (int k = 0; k < l.integrals; ++k) {
-    d->qfrc_passive[stored_address(config, k)] += f[l.integral() + k];
+  for (int k = 0; k < l.feedback_states; ++k) {
+    d->qfrc_passive[stored_address(config, k)] += f[l.feedback_state() + k];
   }
 
   if (s.torsion_damping.size() > 0) {

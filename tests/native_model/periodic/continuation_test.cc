@@ -194,7 +194,10 @@ TEST(Continuation, OfABounceThroughTwoPeriodDoublings) {
   EXPECT_TRUE(two.points[1].motion.stable);
   const auto again = of_kind(two, PointKind::kPeriodDoubling);
   ASSERT_EQ(again.size(), 2u) << "its beginning and the next one; " << two.end;
-  const Branch four = continue_doubled(model_at, again[1], settings);
+  ContinuationParameters finer = settings;
+  finer.first_step = 0.005;
+  finer.longest_step = 0.02;
+  const Branch four = continue_doubled(model_at, again[1], finer);
   ASSERT_GT(four.points.size(), 2u) << four.end;
   EXPECT_TRUE(four.points[1].motion.stable);
   for (std::size_t k = 1; k < four.points.size(); ++k) expect_flights(four.points[k], 4);
