@@ -14,7 +14,7 @@ constexpr double kInWall = 1e-9;
 
 // A contact that begins closed has no touch; a contact that closes while on its circle has one.
 void EventIntegrator::begin_in_walls() {
-  for (std::size_t k = 0; k < phase_.contacts(); ++k) {
+  for (std::size_t k = 0; k < system_.contacts(); ++k) {
     if (!model_->auxiliary[k].is_compliant()) continue;
     const ContactPoint p = contact_point(*model_, motion_.q(), motion_.v(), k);
     const ContactParameters& contact = *model_->auxiliary[k].contact;
@@ -33,12 +33,12 @@ void EventIntegrator::begin_touch(std::size_t k, double hunt_crossley) {
   const ClosedContact touch{k, contact_point(*model_, motion_.q(), motion_.v(), k)};
   // A contact that touches without speed may part again at once.
   if (touch.point.gap >= 0.0 && touch.point.gap_rate >= 0.0 && parting_acceleration(k) >= 0.0) {
-    return phase_.set(k, in_flight(Departure::kParting));
+    return system_.set(k, in_flight(Departure::kParting));
   }
   ContactState state;
   state.hunt_crossley = hunt_crossley;
   state.in_wall = true;
-  phase_.set(k, state);
+  system_.set(k, state);
   observer_.begin_touch(motion_, touch);
   decide_one(k, Constraint::Velocity::kAny);
 }
@@ -49,14 +49,15 @@ double EventIntegrator::parting_acceleration(std::size_t k) {
   step_.evaluate(motion_);
   ContactList<ClosedContact> closed;
   closed.push_back({k, {}});
-  for (std::size_t j = 0; j < phase_.contacts(); ++j) {
-    if (j != k && phase_.in_contact(j)) closed.push_back({j, {}});
+  for (std::size_t j = 0; j < system_.contacts(); ++j) {
+    if (j != k && system_.in_contact(j)) closed.push_back({j, {}});
   }
-  const Phase::Accelerations all = phase_.accelerations(motion_.t, motion_.y.data(), closed);
+  const SmoothSystem::Accelerations all =
+      system_.accelerations(motion_.t, motion_.y.data(), closed);
   double acceleration = all.b[0];
   for (std::size_t i = 1; i < closed.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(2 * i);
-    const Multipliers& force = phase_.multipliers(closed[i].index);
+    const Multipliers& force = system_.multipliers(closed[i].index);
     acceleration += all.g(0, at) * force.normal + all.g(0, at + 1) * force.friction;
   }
   return acceleration;
@@ -77,7 +78,7 @@ bool EventIntegrator::release_if_unloaded(std::size_t k) {
   if (!model_->auxiliary[k].is_compliant()) return false;
   const ClosedContact at{k, contact_point(*model_, motion_.q(), motion_.v(), k)};
   const double none = kOpen * margin_scales(k).force;
-  if (at.point.gap_rate <= 0.0 || *phase_.compliant_force(at) >= -none) return false;
+  if (at.point.gap_rate <= 0.0 || *system_.compliant_force(at) >= -none) return false;
   release(at);
   return true;
 }
@@ -85,17 +86,17 @@ bool EventIntegrator::release_if_unloaded(std::size_t k) {
 // While a compliant contact sticks, the error of the steps lets its slip drift. A drift against the
 // slip that begins would stop it at once.
 void EventIntegrator::hold_without_slip(std::size_t k) {
-  Closed held = phase_.rigid_contacts();
+  Closed held = system_.rigid_contacts();
   held.push_back({k, Constraint::Velocity::kSticking});
   project(held);
 }
 
 void EventIntegrator::compliant_margin_reached(std::size_t k) {
   step_.evaluate(motion_);
-  const ContactState was = phase_.state(k);
-  const Margins margins = phase_.margins(k);
+  const ContactState was = system_.state(k);
+  const Margins margins = system_.margins(k);
   const MarginScales scales = margin_scales(k);
-  const Multipliers force = phase_.multipliers(k);
+  const Multipliers force = system_.multipliers(k);
   const ClosedContact at{k, contact_point(*model_, motion_.q(), motion_.v(), k)};
   // If slip and force end together, the contact opens.
   const bool opens =

@@ -27,11 +27,12 @@ void EventIntegrator::project(const Closed& closed) {
 // velocities.
 EventIntegrator::Closed EventIntegrator::on_circles() const {
   Closed closed;
-  for (std::size_t k = 0; k < phase_.contacts(); ++k) {
+  for (std::size_t k = 0; k < system_.contacts(); ++k) {
     const auto& contact = model_->auxiliary[k].contact;
     if (!contact || contact->is_compliant()) continue;
     const double gap = contact_point(*model_, motion_.q(), motion_.v(), k).gap;
-    if (phase_.in_contact(k) || phase_.state(k).redundant || is_on_circle(gap, contact->clearance))
+    if (system_.in_contact(k) || system_.state(k).redundant ||
+        is_on_circle(gap, contact->clearance))
       closed.push_back({k, Velocity::kAny});
   }
   return closed;
@@ -46,7 +47,7 @@ void EventIntegrator::begin_on_circles(const Closed& closed) {
     if (c.point.gap_rate <= parameters_.zeno_velocity_threshold) {
       resting.push_back({c.index, Velocity::kAny});
     } else {
-      phase_.set(c.index, in_flight(Departure::kRebound));
+      system_.set(c.index, in_flight(Departure::kRebound));
     }
   }
   if (closed.empty()) return;
@@ -96,24 +97,24 @@ void EventIntegrator::impact(std::size_t contact) {
 // Lasting contact ends, or its friction changes.
 void EventIntegrator::margin_reached(std::size_t contact) {
   if (model_->auxiliary[contact].is_compliant()) return compliant_margin_reached(contact);
-  const Mode mode = phase_.state(contact).mode;
+  const Mode mode = system_.state(contact).mode;
   step_.evaluate(motion_);
-  const Multipliers force = phase_.multipliers(contact);
+  const Multipliers force = system_.multipliers(contact);
   const MarginScales scales = margin_scales(contact);
   // If force and friction end together, as at every opening of a shaft that does not turn, the
   // contact opens. Otherwise round-off would decide whether it slips or sticks.
   const PhaseEnd end = force.normal <= parameters_.no_force * scales.force
                            ? PhaseEnd::kOpens
-                           : end_of_phase(mode, phase_.margins(contact), scales);
+                           : end_of_phase(mode, system_.margins(contact), scales);
   const bool slides_off = mode == Mode::kSlide && end == PhaseEnd::kOpens;
-  Closed closed = phase_.rigid_contacts();
+  Closed closed = system_.rigid_contacts();
   for (Constraint::Closed& c : closed) {
     if (c.contact == contact) c.velocity = slides_off ? Velocity::kTangential : Velocity::kZero;
   }
   // Two contacts at one place open together: the located one and its twin.
   ContactList<std::size_t> opening;
   for (const Constraint::Closed& c : closed) {
-    const double share = phase_.margins(c.contact).force / margin_scales(c.contact).force;
+    const double share = system_.margins(c.contact).force / margin_scales(c.contact).force;
     if (c.contact == contact || std::abs(share) <= kNoForce) opening.push_back(c.contact);
   }
   project(closed);
@@ -135,12 +136,12 @@ void EventIntegrator::margin_reached(std::size_t contact) {
 // or are redundant.
 void EventIntegrator::decide(const Closed& resting) {
   Closed all_closed = resting;
-  for (std::size_t k = 0; k < phase_.contacts(); ++k) {
-    if (!phase_.in_contact(k) && !phase_.state(k).redundant) continue;
+  for (std::size_t k = 0; k < system_.contacts(); ++k) {
+    if (!system_.in_contact(k) && !system_.state(k).redundant) continue;
     const auto is_named = [k](const Constraint::Closed& c) { return c.contact == k; };
     if (std::any_of(resting.begin(), resting.end(), is_named) || release_if_unloaded(k)) continue;
     all_closed.push_back(
-        {k, phase_.in_contact(k) ? velocity_of(phase_.state(k).mode) : Velocity::kAny});
+        {k, system_.in_contact(k) ? velocity_of(system_.state(k).mode) : Velocity::kAny});
   }
   decide_all(all_closed);
 }
@@ -155,7 +156,7 @@ void EventIntegrator::decide_all(const Closed& closed_here) {
   if (closed_here.empty()) return;
   ContactList<ClosedContact> closed;
   for (const Constraint::Closed& c : closed_here) closed.push_back({c.contact, {}});
-  Phase::Accelerations all = phase_.accelerations(motion_.t, motion_.y.data(), closed);
+  SmoothSystem::Accelerations all = system_.accelerations(motion_.t, motion_.y.data(), closed);
   ContactList<double> slips, friction;
   ContactList<std::optional<double>> compliant_force;
   bool settles = false;
@@ -174,7 +175,7 @@ void EventIntegrator::decide_all(const Closed& closed_here) {
         sticks && !is_compliant ? true : slip_is_zero(k, p, sticks ? kDrift : kNoSpeed);
     slips.push_back(stops ? 0.0 : p.slip);
     friction.push_back(model_->auxiliary[k].contact->friction.at(slips[i]));
-    std::optional<double> known = phase_.compliant_force(closed[i]);
+    std::optional<double> known = system_.compliant_force(closed[i]);
     // At a touch the penetration is round-off, of either sign.
     if (known) known = std::max(*known, 0.0);
     compliant_force.push_back(known);
@@ -188,12 +189,12 @@ void EventIntegrator::decide_all(const Closed& closed_here) {
 
 // Puts lasting contacts on their circles; the others fly, or become redundant where they are.
 void EventIntegrator::settle(const Closed& decided) {
-  const Closed lasting = phase_.rigid_contacts();
+  const Closed lasting = system_.rigid_contacts();
   project(lasting);
   for (const ClosedContact& c : closed_points(*model_, motion_.q(), motion_.v(), decided)) {
     const AuxiliaryBearing& bearing = model_->auxiliary[c.index];
-    if (phase_.in_contact(c.index) || bearing.is_compliant()) continue;
-    ContactState state = phase_.state(c.index);
+    if (system_.in_contact(c.index) || bearing.is_compliant()) continue;
+    ContactState state = system_.state(c.index);
     if (c.point.gap > kRedundantGap * bearing.contact->clearance) {
       state = in_flight(Departure::kInside);
     } else if (c.point.gap_rate > 0.0 && !gap_rate_is_zero(c.point)) {
@@ -202,7 +203,7 @@ void EventIntegrator::settle(const Closed& decided) {
       state = redundant_contact(Departure::kParting);
     }
     state.redundant_gap = std::min(0.0, c.point.gap);
-    phase_.set(c.index, state);
+    system_.set(c.index, state);
   }
 }
 
@@ -220,17 +221,17 @@ bool EventIntegrator::slip_is_zero(std::size_t k, const ContactPoint& p, double 
 
 void EventIntegrator::change_to(std::size_t k, const ContactState& next) {
   if (next.mode != Mode::kFree) first_touch(k);
-  if (const auto event = event_between(phase_.state(k), next))
+  if (const auto event = event_between(system_.state(k), next))
     observer_.record(motion_.t, *event, k);
   ContactState state = next;
   if (state.mode != Mode::kFree || state.in_wall) {
-    state.hunt_crossley = phase_.state(k).hunt_crossley;
+    state.hunt_crossley = system_.state(k).hunt_crossley;
   }
-  phase_.set(k, state);
+  system_.set(k, state);
 }
 
 void EventIntegrator::first_touch(std::size_t k) {
-  if (!std::isfinite(phase_.first_touch(k))) phase_.first_touch(k, motion_.t);
+  if (!std::isfinite(system_.first_touch(k))) system_.first_touch(k, motion_.t);
 }
 
 MarginScales EventIntegrator::margin_scales(std::size_t k) const {

@@ -42,8 +42,8 @@ struct ContactDecisions {
 };
 
 // Decides about contacts on their circles with gap rate 0, solved together: free, sliding or
-// sticking from here on, in the order of b. b, scale: as in Phase::Accelerations; slips: m/s,
-// exactly 0 if the contact is known not to slip, so that the set-valued friction law decides;
+// sticking from here on, in the order of b. b, scale: as in SmoothSystem::Accelerations; slips:
+// m/s, exactly 0 if the contact is known not to slip, so that the set-valued friction law decides;
 // friction: mu at the slip; compliant_force: N, for compliant contacts only, empty if all are
 // rigid; no_force: see EventParameters.
 ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVector& b,

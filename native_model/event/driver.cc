@@ -22,12 +22,12 @@ EventIntegrator::EventIntegrator(const Model& model, const EventParameters& para
       parameters_(parameters),
       motion_(model),
       schedule_(model),
-      phase_(model),
-      step_(model, parameters_, phase_),
+      system_(model),
+      step_(model, parameters_, system_),
       stiffness_(model, parameters_),
       constraint_(model),
-      observer_(model, parameters_, phase_),
-      impacts_(model, parameters_, phase_, constraint_, observer_),
+      observer_(model, parameters_, system_),
+      impacts_(model, parameters_, system_, constraint_, observer_),
       force_scale_(model.auxiliary.size(), kLeastForce) {
   for (std::size_t k = 0; k < model.auxiliary.size(); ++k) sampled_.emplace_back(model, k);
 }
@@ -58,11 +58,11 @@ void EventIntegrator::begin(const State& start, double end, Recorder& recorder) 
   result_ = {};
   schedule_.begin(start.t, end_);
   motion_.begin(start);
-  for (std::size_t k = 0; k < phase_.contacts(); ++k) {
-    phase_.set(k, {});
-    phase_.first_touch(k, kInfinity);
-    phase_.hold_command(k, {0.0, 0.0});
-    phase_.set_outputs(k, {});
+  for (std::size_t k = 0; k < system_.contacts(); ++k) {
+    system_.set(k, {});
+    system_.first_touch(k, kInfinity);
+    system_.hold_command(k, {0.0, 0.0});
+    system_.set_outputs(k, {});
     sampled_[k].clear();
     force_scale_[k] = kLeastForce;
   }
@@ -111,7 +111,7 @@ void EventIntegrator::pass() {
     const std::size_t contact = ahead_.event->contact;
     if (ahead_.event->rejoins) {
       decide_one(contact, Constraint::Velocity::kAny);  // it has a force again, without an impact
-    } else if (phase_.has_margins(contact)) {
+    } else if (system_.has_margins(contact)) {
       margin_reached(contact);
     } else {
       impact(contact);
@@ -119,7 +119,7 @@ void EventIntegrator::pass() {
     step_.restart(motion_);
     count_event();
   } else {
-    project(phase_.rigid_contacts());
+    project(system_.rigid_contacts());
   }
   step_.update_tolerances(motion_);
   observer_.update_energy_scale(motion_);
@@ -139,15 +139,15 @@ void EventIntegrator::move_to(double now, std::optional<double> theta) {
   }
   // The way in which a flight began matters only at its start.
   if (now > motion_.t) {
-    for (std::size_t k = 0; k < phase_.contacts(); ++k) {
-      if (!phase_.has_margins(k) && !still_redundant(k)) phase_.set(k, {});
+    for (std::size_t k = 0; k < system_.contacts(); ++k) {
+      if (!system_.has_margins(k) && !still_redundant(k)) system_.set(k, {});
     }
   }
   motion_.t = now;
 }
 
 bool EventIntegrator::still_redundant(std::size_t k) const {
-  if (!phase_.state(k).redundant) return false;
+  if (!system_.state(k).redundant) return false;
   const double clearance = model_->auxiliary[k].contact->clearance;
   return contact_point(*model_, motion_.q(), motion_.v(), k).gap <= kRedundantGap * clearance;
 }
@@ -163,21 +163,21 @@ void EventIntegrator::fail_out_of_range() {
 // Finds the first contact that closes, or the first margin that is crossed.
 std::optional<EventIntegrator::Found> EventIntegrator::find_event() {
   std::optional<Found> first;
-  for (std::size_t k = 0; k < phase_.contacts(); ++k) {
+  for (std::size_t k = 0; k < system_.contacts(); ++k) {
     if (!model_->auxiliary[k].contact) continue;
     std::optional<double> theta;
     bool rejoins = false;
-    if (phase_.state(k).redundant) {
+    if (system_.state(k).redundant) {
       if (const auto end =
-              locate_redundant_end(*model_, k, step_, motion_, phase_.state(k).redundant_gap)) {
+              locate_redundant_end(*model_, k, step_, motion_, system_.state(k).redundant_gap)) {
         theta = end->theta;
         rejoins = !end->flew;
       }
-    } else if (phase_.has_margins(k)) {
-      force_scale_[k] = std::max(force_scale_[k], std::abs(phase_.margins(k).force));
-      theta = locate_margin(k, step_, phase_.state(k).mode, margin_scales(k), parameters_);
+    } else if (system_.has_margins(k)) {
+      force_scale_[k] = std::max(force_scale_[k], std::abs(system_.margins(k).force));
+      theta = locate_margin(k, step_, system_.state(k).mode, margin_scales(k), parameters_);
     } else {
-      theta = locate_contact(*model_, k, step_, motion_, phase_.state(k).departure);
+      theta = locate_contact(*model_, k, step_, motion_, system_.state(k).departure);
     }
     if (theta && (!first || *theta < first->theta)) first = Found{*theta, k, rejoins};
   }
@@ -205,12 +205,12 @@ void EventIntegrator::arrive_at_break() {
   count_switching_work();
   sample_controllers();
   Closed resting;
-  for (std::size_t k = 0; k < phase_.contacts(); ++k) {
-    const ContactState& state = phase_.state(k);
+  for (std::size_t k = 0; k < system_.contacts(); ++k) {
+    const ContactState& state = system_.state(k);
     if (model_->auxiliary[k].is_compliant()) continue;
     const bool just_left =
         state.departure == Departure::kParting || state.departure == Departure::kLiftOff;
-    if (phase_.in_contact(k) || just_left) resting.push_back({k, velocity_of(state.mode)});
+    if (system_.in_contact(k) || just_left) resting.push_back({k, velocity_of(state.mode)});
   }
   decide(resting);
   step_.restart(motion_);
@@ -220,15 +220,15 @@ void EventIntegrator::arrive_at_break() {
 // samples of the magnetic bearings left.
 void EventIntegrator::sample_controllers() {
   const double *q = motion_.q(), *v = motion_.v();
-  for (std::size_t k = 0; k < phase_.contacts(); ++k) {
+  for (std::size_t k = 0; k < system_.contacts(); ++k) {
     if (!schedule_.sample_due(k, motion_.t)) continue;
     if (!model_->auxiliary[k].loop) {
-      phase_.hold_command(k, control_command(*model_, motion_.t, q, v, k));
+      system_.hold_command(k, control_command(*model_, motion_.t, q, v, k));
       continue;
     }
-    const Eigen::Vector2d last = phase_.command(k, motion_.t, motion_.y.data());
-    phase_.hold_command(k, sampled_[k].take(motion_.t, q, v, last));
-    phase_.set_outputs(k, sampled_[k].outputs());
+    const Eigen::Vector2d last = system_.command(k, motion_.t, motion_.y.data());
+    system_.hold_command(k, sampled_[k].take(motion_.t, q, v, last));
+    system_.set_outputs(k, sampled_[k].outputs());
     if (!sampled_[k].failure().empty()) controller_failed(sampled_[k].failure());
   }
   for (std::size_t k = 0; k < model_->samplers.size(); ++k) {
@@ -250,12 +250,12 @@ void EventIntegrator::controller_failed(const std::string& why) {
 
 // If G_NN - mu s G_NT of a sliding contact approaches 0, its force grows without bound.
 void EventIntegrator::fail_step() {
-  for (std::size_t k = 0; k < phase_.contacts(); ++k) {
-    if (phase_.state(k).mode != Mode::kSlide || model_->auxiliary[k].is_compliant()) continue;
+  for (std::size_t k = 0; k < system_.contacts(); ++k) {
+    if (system_.state(k).mode != Mode::kSlide || model_->auxiliary[k].is_compliant()) continue;
     ClosedContact c{k, {}};
-    const ContactMatrix g = phase_.accelerations(motion_.t, motion_.y.data(), std::span(&c, 1)).g;
+    const ContactMatrix g = system_.accelerations(motion_.t, motion_.y.data(), std::span(&c, 1)).g;
     const double mu_sign =
-        model_->auxiliary[k].contact->friction.at(c.point.slip) * phase_.state(k).slip_sign;
+        model_->auxiliary[k].contact->friction.at(c.point.slip) * system_.state(k).slip_sign;
     if (std::abs(g(0, 0) - mu_sign * g(0, 1)) < 1e-3 * g(0, 0)) {
       return fail(Status::kNoSolution,
                   "frictional jamming (Painleve): mu |G_NT| reaches G_NN, and the contact forces "
@@ -268,11 +268,11 @@ void EventIntegrator::fail_step() {
 void EventIntegrator::fail(Status status, const std::string& why) {
   if (result_.status != Status::kOk) return;
   result_.status = status;
-  const bool several = phase_.contacts() > 1;
+  const bool several = system_.contacts() > 1;
   result_.message = why + " at t = " + std::to_string(motion_.t) + " s (" +
                     (several ? "contacts: " : "contact: ");
-  for (std::size_t k = 0; k < phase_.contacts(); ++k) {
-    result_.message += (k > 0 ? ", " : "") + std::string(to_string(phase_.state(k).mode));
+  for (std::size_t k = 0; k < system_.contacts(); ++k) {
+    result_.message += (k > 0 ? ", " : "") + std::string(to_string(system_.state(k).mode));
   }
   result_.message += ")";
 }

@@ -47,7 +47,7 @@ class EventIntegrator {
     return ahead_.event ? std::optional(ahead_.event->contact) : std::nullopt;
   }
   // The states of the contacts at the present time, and within the next stretch.
-  const Phase& phase() const { return phase_; }
+  const SmoothSystem& system() const { return system_; }
   // within() returns the state at a time within the stretch, before the event at its end; here()
   // returns the present state. A result is valid until the next call of either.
   Snapshot within(double t);
@@ -131,7 +131,7 @@ class EventIntegrator {
   EventParameters parameters_;
   Motion motion_;
   Schedule schedule_;
-  Phase phase_;
+  SmoothSystem system_;
   SmoothStep step_;
   StiffnessWatch stiffness_;
   Constraint constraint_;

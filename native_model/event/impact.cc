@@ -14,11 +14,11 @@ constexpr double kNoRate = 1e-12;
 
 }  // namespace
 
-EventImpact::EventImpact(const Model& model, const EventParameters& parameters, Phase& phase,
-                         Constraint& constraint, Observer& observer)
+EventImpact::EventImpact(const Model& model, const EventParameters& parameters,
+                         SmoothSystem& system, Constraint& constraint, Observer& observer)
     : model_(&model),
       parameters_(&parameters),
-      phase_(&phase),
+      system_(&system),
       constraint_(&constraint),
       observer_(&observer),
       finite_(model) {}
@@ -36,7 +36,7 @@ bool EventImpact::takes_time(const Motion& motion, const ClosedContact& touch) c
   const double approach = -touch.point.gap_rate;
   if (c.impact_time() == 0.0 || approach < parameters_->zeno_velocity_threshold) return false;
   ClosedContact only = touch;
-  const double a = -phase_->accelerations(motion.t, motion.y.data(), std::span(&only, 1)).b[0];
+  const double a = -system_->accelerations(motion.t, motion.y.data(), std::span(&only, 1)).b[0];
   return !(a > 0.0) || flight_outlives(c.impact_time(), c.restitution * approach, a);
 }
 
@@ -97,7 +97,7 @@ EventImpact::Outcome EventImpact::at_once(Motion& motion, std::span<const Closed
 // then counts.
 EventImpact::Outcome EventImpact::over_time(Motion& motion, const ContactPoint& touch, double end) {
   const Status status = finite_.begin(motion.t, motion.q(), motion.v(),
-                                      phase_->command(0, motion.t, motion.y.data()), false);
+                                      system_->command(0, motion.t, motion.y.data()), false);
   if (status != Status::kOk) return {status};
   Impact record;
   record.t = motion.t;

@@ -13,7 +13,7 @@ namespace rotorub {
 class EventImpact {
  public:
   // All must outlive this object.
-  EventImpact(const Model& model, const EventParameters& parameters, Phase& phase,
+  EventImpact(const Model& model, const EventParameters& parameters, SmoothSystem& system,
               Constraint& constraint, Observer& observer);
 
   // The result for a contact that was closed.
@@ -41,7 +41,7 @@ class EventImpact {
 
   const Model* model_;
   const EventParameters* parameters_;
-  Phase* phase_;
+  SmoothSystem* system_;
   Constraint* constraint_;
   Observer* observer_;
   FiniteImpact finite_;

@@ -19,10 +19,10 @@ double row_limit(double now) { return now * (1.0 - 1e-12); }
 
 }  // namespace
 
-Observer::Observer(const Model& model, const EventParameters& parameters, Phase& phase)
+Observer::Observer(const Model& model, const EventParameters& parameters, SmoothSystem& system)
     : model_(&model),
       parameters_(&parameters),
-      phase_(&phase),
+      system_(&system),
       row_(static_cast<std::size_t>(2 * model.nq() + integral_count(model))),
       slope_(row_),
       of_contacts_(model.auxiliary.size()),
@@ -46,16 +46,16 @@ void Observer::started(const Motion& motion) {
 
 ContactSnapshot Observer::snapshot_of(std::size_t k, double t, const double* y) const {
   ContactSnapshot s;
-  s.normal_force = std::max(0.0, phase_->multipliers(k).normal);
-  s.friction_force = phase_->multipliers(k).friction;
-  s.mode = phase_->state(k).mode;
-  s.actuator = actuator_state(*model_, y, y + model_->nq(), phase_->command(k, t, y), k);
-  s.actuator.outputs = phase_->outputs(k);
+  s.normal_force = std::max(0.0, system_->multipliers(k).normal);
+  s.friction_force = system_->multipliers(k).friction;
+  s.mode = system_->state(k).mode;
+  s.actuator = actuator_state(*model_, y, y + model_->nq(), system_->command(k, t, y), k);
+  s.actuator.outputs = system_->outputs(k);
   return s;
 }
 
 Snapshot Observer::snapshot(double t, const double* y) {
-  phase_->derivative(t, y, slope_.data());
+  system_->derivative(t, y, slope_.data());
   for (std::size_t k = 0; k < shown_.size(); ++k) shown_[k] = snapshot_of(k, t, y);
   const int nq = model_->nq();  // the integrals are stored after the velocities
   return {t, y, y + nq, shown_, y + 2 * nq};
@@ -63,7 +63,7 @@ Snapshot Observer::snapshot(double t, const double* y) {
 
 Snapshot Observer::within(const Motion& from, SmoothStep& step, Constraint& constraint, double t) {
   step.dense((t - from.t) / step.length(), row_.data());
-  const auto closed = phase_->rigid_contacts();
+  const auto closed = system_->rigid_contacts();
   if (!closed.empty()) constraint.to_circles(t, row_.data(), from.v(), closed);
   return snapshot(t, row_.data());
 }
@@ -123,12 +123,12 @@ void Observer::bins_until(double now, bool flies, F&& impulses_at) {
 void Observer::watch(const Motion& from, SmoothStep& step, Constraint& constraint, double now) {
   const double last = step.theta(now);
   ContactList<int> closed;  // indices of their impulses in y
-  for (std::size_t k = 0; k < phase_->contacts(); ++k) {
+  for (std::size_t k = 0; k < system_->contacts(); ++k) {
     const ContactStatistics& own = of_contacts_[k];
-    if (phase_->in_contact(k) || own.contact_time > 0.0 || own.impulse_total > 0.0) {
+    if (system_->in_contact(k) || own.contact_time > 0.0 || own.impulse_total > 0.0) {
       follow(k, from, step, last);
     }
-    if (!phase_->in_contact(k)) continue;
+    if (!system_->in_contact(k)) continue;
     closed.push_back(from.index(kNormalImpulse, k));
     of_contacts_[k].contact_time += now - from.t;
     if (model_->auxiliary[k].is_compliant()) watch_touch(k, step, last);
@@ -314,7 +314,7 @@ void Observer::finish(const Motion& end) {
   }
   for (std::size_t k = 0; k < of_contacts_.size(); ++k) {
     ContactStatistics& own = of_contacts_[k];
-    if (std::isfinite(phase_->first_touch(k))) own.first_touch = phase_->first_touch(k);
+    if (std::isfinite(system_->first_touch(k))) own.first_touch = system_->first_touch(k);
     if (own.first_touch >= 0.0 && (s.first_touch < 0.0 || own.first_touch < s.first_touch)) {
       s.first_touch = own.first_touch;
     }

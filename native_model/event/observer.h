@@ -13,7 +13,7 @@ namespace rotorub {
 
 class Observer {
  public:
-  Observer(const Model& model, const EventParameters& parameters, Phase& phase);
+  Observer(const Model& model, const EventParameters& parameters, SmoothSystem& system);
 
   void begin(const Motion& start, Recorder& recorder);
   // Writes the rows of the start, after an impact at that very instant.
@@ -61,7 +61,7 @@ class Observer {
 
   const Model* model_;
   const EventParameters* parameters_;
-  Phase* phase_;
+  SmoothSystem* system_;
   Recorder* recorder_ = nullptr;
   std::vector<double> row_, slope_;
   // For each contact, the figures that the integrals do not contain: impacts, time in contact (s),

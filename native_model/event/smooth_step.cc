@@ -16,10 +16,10 @@ constexpr double kLeastCurrent = 1e-6;                           // A
 
 }  // namespace
 
-SmoothStep::SmoothStep(const Model& model, const EventParameters& parameters, Phase& phase)
+SmoothStep::SmoothStep(const Model& model, const EventParameters& parameters, SmoothSystem& system)
     : model_(&model),
       parameters_(&parameters),
-      phase_(&phase),
+      system_(&system),
       step_(2 * model.nq() + integral_count(model)),
       tolerance_(static_cast<std::size_t>(step_.size())),
       round_off_(model.is_compliant() ? static_cast<std::size_t>(model.nq()) : 0),
@@ -93,7 +93,7 @@ void SmoothStep::find_round_off(const Motion& motion) {
   constexpr double kOfDepth = 4.0 * std::numeric_limits<double>::epsilon();  // of the clearance
   std::fill(round_off_.begin(), round_off_.end(), 0.0);
   for (std::size_t k = 0; k < model_->auxiliary.size(); ++k) {
-    if (!model_->auxiliary[k].is_compliant() || !phase_->in_contact(k)) continue;
+    if (!model_->auxiliary[k].is_compliant() || !system_->in_contact(k)) continue;
     const ContactParameters& contact = *model_->auxiliary[k].contact;
     const CompliantLaw& law = contact.compliance;
     const double depth = -contact_point(*model_, motion.q(), motion.v(), k).gap;
@@ -125,7 +125,7 @@ double SmoothStep::largest_contact_speed(std::size_t contact) const {
 }
 
 void SmoothStep::restart(const Motion& motion) {
-  phase_->derivative(motion.t, motion.y.data(), step_.first_slope());
+  system_->derivative(motion.t, motion.y.data(), step_.first_slope());
 }
 
 bool SmoothStep::advance(const Motion& from, double limit) {
@@ -133,12 +133,12 @@ bool SmoothStep::advance(const Motion& from, double limit) {
   smooth_end_ = std::nextafter(limit, start_);
   dense_ready_ = false;
   const auto f = [this](double t, const double* y, double* dy) {
-    phase_->derivative(before_break(t), y, dy);
+    system_->derivative(before_break(t), y, dy);
     for (std::size_t k = 0; k < lowest_.size(); ++k) {
-      const Margins& m = phase_->margins(k);
+      const Margins& m = system_->margins(k);
       lowest_[k] = {std::min(lowest_[k].force, m.force),
                     std::min(lowest_[k].tangential, m.tangential)};
-      largest_normal_[k] = std::max(largest_normal_[k], phase_->multipliers(k).normal);
+      largest_normal_[k] = std::max(largest_normal_[k], system_->multipliers(k).normal);
     }
   };
   while (next_ > 1e-15 * std::max(1e-3, std::abs(start_))) {
@@ -171,9 +171,9 @@ void SmoothStep::accept(Motion& motion) {
 
 void SmoothStep::prepare_dense() {
   if (dense_ready_) return;
-  step_.prepare_dense(
-      [this](double t, const double* y, double* dy) { phase_->derivative(before_break(t), y, dy); },
-      start_);
+  step_.prepare_dense([this](double t, const double* y,
+                             double* dy) { system_->derivative(before_break(t), y, dy); },
+                      start_);
   dense_ready_ = true;
 }
 
@@ -201,22 +201,22 @@ const double* SmoothStep::term(int d) {
 }
 
 void SmoothStep::evaluate(const Motion& motion) {
-  phase_->derivative(before_break(motion.t), motion.y.data(), slope_.data());
+  system_->derivative(before_break(motion.t), motion.y.data(), slope_.data());
 }
 
 const Margins& SmoothStep::margins(std::size_t contact, double theta) {
   evaluate_at(theta);
-  return phase_->margins(contact);
+  return system_->margins(contact);
 }
 
 double SmoothStep::normal_force(std::size_t contact, double theta) {
   evaluate_at(theta);
-  return phase_->multipliers(contact).normal;
+  return system_->multipliers(contact).normal;
 }
 
 void SmoothStep::evaluate_at(double theta) {
   dense(theta, y_.data());
-  phase_->derivative(before_break(time(theta)), y_.data(), slope_.data());
+  system_->derivative(before_break(time(theta)), y_.data(), slope_.data());
 }
 
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "native_model/event/parameters.h"
-#include "native_model/event/phase.h"
+#include "native_model/event/smooth_system.h"
 #include "native_model/numerics/dop853.h"
 
 namespace rotorub {
@@ -18,7 +18,7 @@ namespace rotorub {
 class SmoothStep {
  public:
   // All must outlive this object.
-  SmoothStep(const Model& model, const EventParameters& parameters, Phase& phase);
+  SmoothStep(const Model& model, const EventParameters& parameters, SmoothSystem& system);
 
   // Begins a run; first: length of the first step, s.
   void begin(const Motion& start, double first);
@@ -77,7 +77,7 @@ class SmoothStep {
 
   const Model* model_;
   const EventParameters* parameters_;
-  Phase* phase_;
+  SmoothSystem* system_;
   Dop853 step_;
   std::vector<double> tolerance_;
   // With compliant contacts: acceleration by round-off for each coordinate, m/s^2; the tolerance

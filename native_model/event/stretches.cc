@@ -11,7 +11,7 @@ namespace rotorub {
 
 template <class Self>
 auto EventIntegrator::moving_members(Self& self) {
-  return std::tie(self.motion_, self.schedule_, self.phase_, self.step_, self.stiffness_,
+  return std::tie(self.motion_, self.schedule_, self.system_, self.step_, self.stiffness_,
                   self.observer_, self.ahead_, self.result_, self.sampled_, self.end_,
                   self.force_scale_, self.stalled_, self.last_event_, self.switching_work_until_);
 }
@@ -44,7 +44,7 @@ Snapshot EventIntegrator::here() { return observer_.snapshot(motion_.t, motion_.
 void EventIntegrator::cut(double t, const std::function<void()>& jump) {
   if (ahead_.known && t > motion_.t) {
     move_to(t, (t - motion_.t) / step_.length());
-    project(phase_.rigid_contacts());
+    project(system_.rigid_contacts());
     step_.update_tolerances(motion_);
     observer_.update_energy_scale(motion_);
   }

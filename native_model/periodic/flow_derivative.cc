@@ -47,7 +47,7 @@ FlowDerivative::FlowDerivative(const Model& model, const Eigen::VectorXd& sizes,
       parameters_(parameters),
       sizes_(sizes),
       n_(2 * model.nq()),
-      phase_(model),
+      system_(model),
       step_(n_ + integral_count(model)),
       y_(static_cast<std::size_t>(step_.size())),
       slope_(y_),
@@ -59,7 +59,7 @@ FlowDerivative::FlowDerivative(const Model& model, const Eigen::VectorXd& sizes,
 }
 
 void FlowDerivative::set_states(const ContactStates& states) {
-  for (std::size_t k = 0; k < states.size(); ++k) phase_.set(k, states[k]);
+  for (std::size_t k = 0; k < states.size(); ++k) system_.set(k, states[k]);
 }
 
 Eigen::VectorXd FlowDerivative::slope(double t, const std::vector<double>& y,
@@ -67,7 +67,7 @@ Eigen::VectorXd FlowDerivative::slope(double t, const std::vector<double>& y,
   set_states(states);
   std::fill(y_.begin(), y_.end(), 0.0);
   std::copy_n(y.begin(), n_, y_.begin());
-  phase_.derivative(t, y_.data(), slope_.data());
+  system_.derivative(t, y_.data(), slope_.data());
   return Eigen::Map<const Eigen::VectorXd>(slope_.data(), n_);
 }
 
@@ -83,7 +83,7 @@ Eigen::VectorXd FlowDerivative::varied(const Stretch& s, const ContactStates& st
                                        const Eigen::VectorXd& w, int parts) {
   const double before_end = std::nextafter(s.end(), s.t), h = s.length / parts;
   const auto f = [&](double t, const double* y, double* dy) {
-    phase_.derivative(std::min(t, before_end), y, dy);
+    system_.derivative(std::min(t, before_end), y, dy);
   };
   const double eps = share_of(w);
   Eigen::VectorXd to = w.head(n_);

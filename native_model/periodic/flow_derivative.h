@@ -1,7 +1,8 @@
 // The derivative of a motion's end with respect to its start, along a recorded motion
 // (motion_record.h). With w the change of the state y = (q, v) by a small change of the start:
 //
-//   smooth stretch   w' = (df/dy) w,  f the field of the contacts' states (event/phase.h), by
+//   smooth stretch   w' = (df/dy) w,  f the field of the contacts' states (event/smooth_system.h),
+//   by
 //                    central differences of fourth order of DOP853 steps along w: a step has a
 //                    rounding error of 1e-16, the differences one of 1e-12
 //   event            at the surface h(y) = 0, where y jumps to R(y):
@@ -30,7 +31,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "native_model/event/phase.h"
+#include "native_model/event/smooth_system.h"
 #include "native_model/numerics/dop853.h"
 #include "native_model/periodic/motion_record.h"
 
@@ -71,7 +72,7 @@ class FlowDerivative {
   EventParameters parameters_;
   Eigen::VectorXd sizes_;
   int n_;  // 2 nq
-  Phase phase_;
+  SmoothSystem system_;
   Dop853 step_;
   std::vector<double> y_, slope_, tolerance_;
   double speed_ = 0.0;          // m/s, size of the speeds

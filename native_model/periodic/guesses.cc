@@ -33,7 +33,7 @@ Arrival advance(const Model& m, const State& start, double end, const EventParam
   run.begin(start, end, recorder);
   while (run.look_ahead()) run.pass();
   const Snapshot now = run.here();
-  Arrival at{run.result().status, run.result().message, {}, run.phase().rigid_contacts()};
+  Arrival at{run.result().status, run.result().message, {}, run.system().rigid_contacts()};
   at.state.t = run.now();
   at.state.q = Eigen::Map<const Eigen::VectorXd>(now.q, m.nq());
   at.state.v = Eigen::Map<const Eigen::VectorXd>(now.v, m.nq());

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "native_model/event/phase.h"
+#include "native_model/event/smooth_system.h"
 #include "native_model/model/dynamics.h"
 #include "native_model/periodic/contact_gradients.h"
 

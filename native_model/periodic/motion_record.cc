@@ -12,9 +12,9 @@ std::vector<double> state_of(const Snapshot& at, int nq) {
   return std::vector<double>(at.q, at.q + 2 * nq);
 }
 
-ContactStates states_of(const Phase& phase) {
+ContactStates states_of(const SmoothSystem& system) {
   ContactStates all;
-  for (std::size_t k = 0; k < phase.contacts(); ++k) all.push_back(phase.state(k));
+  for (std::size_t k = 0; k < system.contacts(); ++k) all.push_back(system.state(k));
   return all;
 }
 
@@ -28,9 +28,9 @@ MotionRecord record_motion(const Model& model, const State& start, double end,
   run.begin(start, end, recorder);
   record.begin_time = start.t;
   record.start = record.end = state_of(run.here(), model.nq());
-  record.first = states_of(run.phase());
+  record.first = states_of(run.system());
   while (run.look_ahead()) {
-    Stretch stretch{run.now(), run.stretch_end() - run.now(), record.end, states_of(run.phase())};
+    Stretch stretch{run.now(), run.stretch_end() - run.now(), record.end, states_of(run.system())};
     if (const auto contact = run.event_contact()) {
       stretch.jump = Jump{*contact, state_of(run.within(run.stretch_end()), model.nq()), {}, {}};
     }
@@ -38,11 +38,11 @@ MotionRecord record_motion(const Model& model, const State& start, double end,
     record.end = state_of(run.here(), model.nq());
     if (stretch.jump) {
       stretch.jump->after = record.end;
-      stretch.jump->states = states_of(run.phase());
+      stretch.jump->states = states_of(run.system());
     }
     record.stretches.push_back(std::move(stretch));
   }
-  record.last = states_of(run.phase());
+  record.last = states_of(run.system());
   record.end_time = run.now();
   record.status = run.result().status;
   record.message = run.result().message;

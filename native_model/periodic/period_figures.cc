@@ -36,10 +36,10 @@ class Follower {
       last_[k] = d;
     }
   }
-  void last(const Phase& phase, double length) {
+  void last(const SmoothSystem& system, double length) {
     for (std::size_t k = 0; k < figures_.size(); ++k) {
-      if (phase.in_contact(k)) figures_[k].contact_share += length;
-      if (phase.state(k).mode == Mode::kStick) figures_[k].stuck_share += length;
+      if (system.in_contact(k)) figures_[k].contact_share += length;
+      if (system.state(k).mode == Mode::kStick) figures_[k].stuck_share += length;
     }
   }
   ContactFigures& of(std::size_t contact) { return figures_[contact]; }
@@ -73,9 +73,9 @@ PeriodFigures period_figures(const Model& model, const PeriodicMotion& motion,
   while (run.look_ahead()) {
     const double begin = run.now(), length = run.stretch_end() - begin;
     for (int i = 1; i <= kSamples; ++i) follower.meet(run.within(begin + i * length / kSamples));
-    follower.last(run.phase(), length);
+    follower.last(run.system(), length);
     const auto contact = run.event_contact();
-    if (!contact || run.phase().has_margins(*contact)) {
+    if (!contact || run.system().has_margins(*contact)) {
       run.pass();
       continue;
     }

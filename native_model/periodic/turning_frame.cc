@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "native_model/event/phase.h"
+#include "native_model/event/smooth_system.h"
 #include "native_model/model/dynamics.h"
 #include "native_model/periodic/forcing.h"
 
@@ -55,11 +55,11 @@ bool TurningFrame::is_symmetric(const Model& m) const {
     const Eigen::Vector2d turned_with = Eigen::Rotation2Dd(angle) * separation(m, y.data(), k);
     if ((separation(m, to.data(), k) - turned_with).norm() > kSame * reach) return false;
   }
-  Phase phase(m);
+  SmoothSystem system(m);
   const auto slope = [&](double t, const Eigen::VectorXd& at) {
     std::vector<double> all(static_cast<std::size_t>(n + integral_count(m))), rates(all);
     std::copy_n(at.data(), n, all.begin());
-    phase.derivative(t, all.data(), rates.data());
+    system.derivative(t, all.data(), rates.data());
     return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(rates.data(), n));
   };
   const double t = forcing_of(m).settled;

@@ -52,8 +52,8 @@ struct Snapshot {
   const double* q = nullptr;
   const double* v = nullptr;
   std::span<const ContactSnapshot> contacts{};  // one for each auxiliary bearing
-  // The integrals of an event-driven run (integral_index() in native_model/event/phase.h), valid as
-  // long as q and v; null for a fixed-step run.
+  // The integrals of an event-driven run (integral_index() in native_model/event/smooth_system.h),
+  // valid as long as q and v; null for a fixed-step run.
   const double* integrals = nullptr;
 };
 

@@ -87,9 +87,9 @@ inline Constraint::Velocity velocity_of(Mode mode) {
   return mode == Mode::kStick ? Constraint::Velocity::kZero : Constraint::Velocity::kTangential;
 }
 
-class Phase {
+class SmoothSystem {
  public:
-  explicit Phase(const Model& model);
+  explicit SmoothSystem(const Model& model);
 
   // The present state of each contact.
   void set(std::size_t contact, const ContactState& state) { at_[contact].state = state; }

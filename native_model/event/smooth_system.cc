@@ -1,4 +1,4 @@
-#include "native_model/event/phase.h"
+#include "native_model/event/smooth_system.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@ namespace rotorub {
 
 namespace eq = equations;
 
-Phase::Phase(const Model& model)
+SmoothSystem::SmoothSystem(const Model& model)
     : model_(&model),
       at_(model.auxiliary.size()),
       commands_(model.auxiliary.size(), Eigen::Vector2d(0.0, 0.0)),
@@ -25,7 +25,7 @@ Phase::Phase(const Model& model)
   }
 }
 
-ContactList<Constraint::Closed> Phase::rigid_contacts() const {
+ContactList<Constraint::Closed> SmoothSystem::rigid_contacts() const {
   ContactList<Constraint::Closed> all;
   for (std::size_t k = 0; k < at_.size(); ++k) {
     if (!in_contact(k) || model_->auxiliary[k].is_compliant()) continue;
@@ -34,14 +34,14 @@ ContactList<Constraint::Closed> Phase::rigid_contacts() const {
   return all;
 }
 
-Eigen::Vector2d Phase::command(std::size_t k, double t, const double* y) const {
+Eigen::Vector2d SmoothSystem::command(std::size_t k, double t, const double* y) const {
   const AuxiliaryBearing& bearing = model_->auxiliary[k];
   // The command of a record is held too.
   if (!bearing.controller || bearing.sample_time > 0.0) return at_[k].held_command;
   return control_command(*model_, t, y, y + model_->nq(), k);
 }
 
-void Phase::accelerate(double t, const double* y) {
+void SmoothSystem::accelerate(double t, const double* y) {
   const Model& m = *model_;
   const double *q = y, *v = y + m.nq();
   double* f = f_.data();
@@ -59,7 +59,7 @@ void Phase::accelerate(double t, const double* y) {
 
 // (gddot_N, gddot_T) of a contact without any contact force, from the accelerations a_ by the
 // loads.
-Eigen::Vector2d Phase::free_acceleration(const ClosedContact& c) const {
+Eigen::Vector2d SmoothSystem::free_acceleration(const ClosedContact& c) const {
   const ContactPoint& p = c.point;
   const Eigen::Vector3d dd = contact_acceleration(*model_, a_.data(), c.index);
   const double whirl = p.whirl_speed(), radius = model_->auxiliary[c.index].contact->radius;
@@ -69,8 +69,8 @@ Eigen::Vector2d Phase::free_acceleration(const ClosedContact& c) const {
 
 // The size of the terms that add up to the normal acceleration. With several contacts, one may
 // stand still while the shaft moves: the motion that cancels there counts too.
-double Phase::scale_of(const ContactPoint& point, double normal, const double* q,
-                       const double* v) const {
+double SmoothSystem::scale_of(const ContactPoint& point, double normal, const double* q,
+                              const double* v) const {
   const double whirl = point.whirl_speed();
   double scale = whirl * whirl / point.delta + std::abs(normal);
   for (int i = 0; i < model_->layout.mechanical(); ++i) {
@@ -81,8 +81,8 @@ double Phase::scale_of(const ContactPoint& point, double normal, const double* q
   return scale;
 }
 
-Phase::Accelerations Phase::accelerations(double t, const double* y,
-                                          std::span<ClosedContact> closed) {
+SmoothSystem::Accelerations SmoothSystem::accelerations(double t, const double* y,
+                                                        std::span<ClosedContact> closed) {
   const double *q = y, *v = y + model_->nq();
   accelerate(t, y);
   for (ClosedContact& c : closed) c.point = contact_point(*model_, q, v, c.index);
@@ -96,13 +96,13 @@ Phase::Accelerations Phase::accelerations(double t, const double* y,
   return all;
 }
 
-std::optional<double> Phase::compliant_force(const ClosedContact& at) const {
+std::optional<double> SmoothSystem::compliant_force(const ClosedContact& at) const {
   const ContactParameters& c = *model_->auxiliary[at.index].contact;
   if (!c.is_compliant()) return {};
   return c.compliance.force(-at.point.gap, -at.point.gap_rate, state(at.index).hunt_crossley);
 }
 
-void Phase::set_margins(const ClosedContact& c, double normal, double friction) {
+void SmoothSystem::set_margins(const ClosedContact& c, double normal, double friction) {
   AtContact& at = at_[c.index];
   const ContactParameters& contact = *model_->auxiliary[c.index].contact;
   at.multipliers = {normal, friction};
@@ -117,7 +117,7 @@ void Phase::set_margins(const ClosedContact& c, double normal, double friction) 
                                                at.state.hunt_crossley, contact.clearance);
 }
 
-void Phase::set_margins_in_wall(std::size_t k, const double* q, const double* v) {
+void SmoothSystem::set_margins_in_wall(std::size_t k, const double* q, const double* v) {
   const ContactParameters& contact = *model_->auxiliary[k].contact;
   const ContactPoint p = contact_point(*model_, q, v, k);
   const double a = at_[k].state.hunt_crossley, scale = contact.clearance;
@@ -126,14 +126,15 @@ void Phase::set_margins_in_wall(std::size_t k, const double* q, const double* v)
 }
 
 // mu sign(gdot_T) of a sliding contact.
-double Phase::mu_sign(const ClosedContact& c) const {
+double SmoothSystem::mu_sign(const ClosedContact& c) const {
   const double sign = at_[c.index].state.slip_sign;
   return model_->auxiliary[c.index].contact->friction.along(sign * c.point.slip) * sign;
 }
 
 // The force of one closed contact: its gap acceleration is 0 (or its normal force is known), and so
 // is its slip acceleration if it sticks. coupling: InverseMass::coupling_at(c.index).
-PlanarImpulse Phase::force_of_one(const ClosedContact& c, const Eigen::Vector3d& coupling) const {
+PlanarImpulse SmoothSystem::force_of_one(const ClosedContact& c,
+                                         const Eigen::Vector3d& coupling) const {
   const AtContact& at = at_[c.index];
   const double radius = model_->auxiliary[c.index].contact->radius;
   const Delassus g =
@@ -149,7 +150,7 @@ PlanarImpulse Phase::force_of_one(const ClosedContact& c, const Eigen::Vector3d&
 }
 
 // The same for several, from one linear system.
-void Phase::forces_of_several(double t, const double* q, PlanarImpulse* forces) const {
+void SmoothSystem::forces_of_several(double t, const double* q, PlanarImpulse* forces) const {
   const auto rows = static_cast<Eigen::Index>(2 * closed_.size());
   ContactVector b(rows);
   CaseSystem system(rows);
@@ -180,7 +181,7 @@ void Phase::forces_of_several(double t, const double* q, PlanarImpulse* forces) 
 
 // Finds the forces of the closed contacts and their margins, and adds what the forces do to the
 // accelerations a.
-void Phase::add_contact_forces(double t, const double* q, double* a) {
+void SmoothSystem::add_contact_forces(double t, const double* q, double* a) {
   std::array<PlanarImpulse, kMaxContacts> forces;  // not initialised: this is the hot loop
   std::array<Eigen::Vector3d, kMaxContacts> couplings;
   for (std::size_t i = 0; i < closed_.size(); ++i)
@@ -201,7 +202,7 @@ void Phase::add_contact_forces(double t, const double* q, double* a) {
 }
 
 // Fills closed_. Open contacts have no multipliers and infinite margins.
-void Phase::find_closed(const double* q, const double* v) {
+void SmoothSystem::find_closed(const double* q, const double* v) {
   closed_.clear();
   for (std::size_t k = 0; k < at_.size(); ++k) {
     at_[k].multipliers = {};
@@ -212,7 +213,7 @@ void Phase::find_closed(const double* q, const double* v) {
 }
 
 // Adds a closed contact's part to the rates of the integrals.
-void Phase::integrate(const ClosedContact& c, double* integrals) const {
+void SmoothSystem::integrate(const ClosedContact& c, double* integrals) const {
   const Model& m = *model_;
   const auto [normal, friction] = at_[c.index].multipliers;
   const double prescribed = m.auxiliary[c.index].contact->radius * m.prescribed_spin();
@@ -224,7 +225,7 @@ void Phase::integrate(const ClosedContact& c, double* integrals) const {
   if (m.auxiliary[c.index].is_compliant()) work += normal * c.point.gap_rate;
 }
 
-void Phase::derivative(double t, const double* y, double* dy) {
+void SmoothSystem::derivative(double t, const double* y, double* dy) {
   const Model& m = *model_;
   const int n = m.nq();
   const double *q = y, *v = y + n;
