@@ -125,7 +125,7 @@ void Panel::draw_sections(const Sheet& picture, const Instant& instant,
     const double y = area.height - 1.5 * size;
     const double x = sheet.text(0.6 * size, y, film_->name_of(contact), size,
                                 palette::contact(contact), Weight::kBold);
-    const bool touching = pose.mode != Mode::kFree;
+    const bool touching = pose.mode != ContactMode::kFree;
     sheet.text(x + 0.6 * size, y, to_string(pose.mode), size,
                touching ? palette::kNormal : palette::kFaintInk);
   }
@@ -163,7 +163,7 @@ void Panel::write_caption(Sheet sheet, const Instant& instant) const {
   if (ghost_ != nullptr) line("translucent: " + ghost_->label, palette::kGhost);
   if (instant.strobe) line(strobe_text(*instant.strobe), palette::kNormal);
   if (!film_->has_contact() || !film_->further.empty()) return;
-  const bool touching = pose.mode != Mode::kFree;
+  const bool touching = pose.mode != ContactMode::kFree;
   sheet.text(x + size, 0.3 * size, to_string(pose.mode), size,
              touching ? palette::kNormal : palette::kFaintInk, Weight::kBold);
 }

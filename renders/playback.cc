@@ -188,8 +188,8 @@ Pose Playback::at(double t) const {
   pose.gap = interpolate({gap_, nullptr}, row, pose.t, false);
 
   // Forces are interpolated within one contact, and otherwise keep the value of the row before.
-  pose.mode = static_cast<Mode>(std::lround((*mode_)[row]));
-  const bool lasting = pose.mode != Mode::kFree && (*mode_)[next] > 0.0;
+  pose.mode = static_cast<ContactMode>(std::lround((*mode_)[row]));
+  const bool lasting = pose.mode != ContactMode::kFree && (*mode_)[next] > 0.0;
   pose.normal_force =
       lasting ? interpolate({normal_, nullptr}, row, pose.t, false) : (*normal_)[row];
   pose.friction_force =

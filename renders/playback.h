@@ -24,7 +24,7 @@ struct Pose {
   double friction_force = 0.0;        // on the rotor along e_t = e_z x e_r
   Eigen::Vector2d control{0.0, 0.0};  // actuator force on the ring
   Eigen::Vector2d current{0.0, 0.0};  // A, in the coils of the axes (1, 1) and (-1, 1)
-  Mode mode = Mode::kFree;
+  ContactMode mode = ContactMode::kFree;
 
   // Unit vector from the ring's centre to the rotor's; 0 if they coincide.
   Eigen::Vector2d e_r() const;

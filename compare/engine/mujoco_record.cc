@@ -43,7 +43,7 @@ MujocoRecord::MujocoRecord(const Model& model, bool rigid, double step, std::vec
       middle_(static_cast<std::size_t>(model.nq())),
       half_(middle_) {
   for (std::size_t k = 0; k < model.auxiliary.size(); ++k) {
-    contacts_.push_back({Mode::kFree, ContactEpisodes(recorder_, static_cast<int>(k)), {}});
+    contacts_.push_back({ContactMode::kFree, ContactEpisodes(recorder_, static_cast<int>(k)), {}});
   }
 }
 
@@ -175,7 +175,7 @@ void MujocoRecord::native_step(std::int64_t k, const double* q, const double* v,
   figures.contact_work = share * (r.works.contact - r.works.impact);
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const plugin::ContactForces& f = r.forces[i];
-    if (f.impact || f.mode == Mode::kFree || !(f.normal > 0.0)) continue;
+    if (f.impact || f.mode == ContactMode::kFree || !(f.normal > 0.0)) continue;
     const double normal = figures.h * f.normal, friction = figures.h * f.friction;
     add_contact(figures, i, t, normal, friction, friction * points_[i].slip);
   }
@@ -237,8 +237,8 @@ void MujocoRecord::count_impacts() {
   recorder_.count(figures, impacts_.front().t);
 }
 
-void MujocoRecord::note_mode(double t, Mode mode, std::size_t contact) {
-  Mode& last = contacts_[contact].mode;
+void MujocoRecord::note_mode(double t, ContactMode mode, std::size_t contact) {
+  ContactMode& last = contacts_[contact].mode;
   if (mode == last) return;
   recorder_.add(Event{t, mode_event(mode), static_cast<int>(contact)});
   last = mode;

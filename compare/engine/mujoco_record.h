@@ -42,7 +42,7 @@ class MujocoRecord {
   void count_impacts();
   void add_contact(StepFigures& figures, std::size_t contact, double t, double normal,
                    double friction, double work);
-  void note_mode(double t, Mode mode, std::size_t contact);
+  void note_mode(double t, ContactMode mode, std::size_t contact);
   void show(std::size_t contact, const StepResult& r);  // writes shown_
   Impact step_contact(std::int64_t k, std::size_t contact, const double* q, const double* v,
                       const StepResult& r);
@@ -53,7 +53,7 @@ class MujocoRecord {
   double step_;
   Recorder recorder_;
   struct AtContact {
-    Mode mode = Mode::kFree;
+    ContactMode mode = ContactMode::kFree;
     ContactEpisodes episodes;
     ContactPoint point{};
   };

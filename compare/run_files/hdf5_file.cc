@@ -22,7 +22,7 @@ Table series_of(const Trajectory& t) {
   for (const rotorub::Column& c : t.series) {
     Column column{c.name, c.unit, std::string(series_column(c.name).meaning), c.values};
     if (contact_of_column(c.name).second == "mode") {
-      for (const Mode mode : {Mode::kFree, Mode::kSlide, Mode::kStick})
+      for (const ContactMode mode : {ContactMode::kFree, ContactMode::kSlide, ContactMode::kStick})
         column.words.emplace_back(to_string(mode));
       column.which.assign(c.values.begin(), c.values.end());
     }

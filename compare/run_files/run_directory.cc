@@ -84,7 +84,7 @@ double number_of(std::string_view field, const path& file, int line) {
 }
 
 double value_of(std::string_view field, const path& file, int line) {
-  for (const Mode mode : {Mode::kFree, Mode::kSlide, Mode::kStick}) {
+  for (const ContactMode mode : {ContactMode::kFree, ContactMode::kSlide, ContactMode::kStick}) {
     if (field == to_string(mode)) return static_cast<double>(mode);
   }
   return number_of(field, file, line);

@@ -55,7 +55,7 @@ inline double slip_after(const Delassus& a, double b_t, const PlanarImpulse& l) 
 // They apply to forces, impulses and step impulses alike: (12)-(13) with y_N the gap over the step,
 // (16)-(17) for the compression phase, or accelerations. Friction is dissipative: L_T y_T <= 0.
 
-enum class Mode : std::uint8_t { kFree = 0, kSlide = 1, kStick = 2 };  // of a contact
+enum class ContactMode : std::uint8_t { kFree = 0, kSlide = 1, kStick = 2 };  // of a contact
 
 enum class ContactCase { kOpen, kStick, kSlidePositive, kSlideNegative };  // sign of the slip y_T
 
@@ -70,10 +70,10 @@ struct CoulombSolution {
   bool is_unique() const { return solutions == 1; }
 };
 
-inline Mode mode_of(double normal, bool sticks) {
-  return normal <= 0.0 ? Mode::kFree : sticks ? Mode::kStick : Mode::kSlide;
+inline ContactMode mode_of(double normal, bool sticks) {
+  return normal <= 0.0 ? ContactMode::kFree : sticks ? ContactMode::kStick : ContactMode::kSlide;
 }
-inline Mode mode_of(const CoulombSolution& s) {
+inline ContactMode mode_of(const CoulombSolution& s) {
   return mode_of(s.normal, s.contact_case == ContactCase::kStick);
 }
 

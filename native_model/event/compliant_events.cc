@@ -114,7 +114,7 @@ void EventIntegrator::compliant_margin_reached(std::size_t k) {
       return decide_one(k, Constraint::Velocity::kZero);
     case PhaseEnd::kSlipBegins:  // against friction at its limit
       hold_without_slip(k);
-      return change_to(k, {Mode::kSlide, force.friction > 0.0 ? -1.0 : 1.0});
+      return change_to(k, {ContactMode::kSlide, force.friction > 0.0 ? -1.0 : 1.0});
   }
 }
 

@@ -97,7 +97,7 @@ void EventIntegrator::impact(std::size_t contact) {
 // Lasting contact ends, or its friction changes.
 void EventIntegrator::margin_reached(std::size_t contact) {
   if (model_->auxiliary[contact].is_compliant()) return compliant_margin_reached(contact);
-  const Mode mode = system_.state(contact).mode;
+  const ContactMode mode = system_.state(contact).mode;
   step_.evaluate(motion_);
   const Multipliers force = system_.multipliers(contact);
   const MarginScales scales = margin_scales(contact);
@@ -106,7 +106,7 @@ void EventIntegrator::margin_reached(std::size_t contact) {
   const PhaseEnd end = force.normal <= parameters_.no_force * scales.force
                            ? PhaseEnd::kOpens
                            : end_of_phase(mode, system_.margins(contact), scales);
-  const bool slides_off = mode == Mode::kSlide && end == PhaseEnd::kOpens;
+  const bool slides_off = mode == ContactMode::kSlide && end == PhaseEnd::kOpens;
   Closed closed = system_.rigid_contacts();
   for (Constraint::Closed& c : closed) {
     if (c.contact == contact) c.velocity = slides_off ? Velocity::kTangential : Velocity::kZero;
@@ -128,7 +128,7 @@ void EventIntegrator::margin_reached(std::size_t contact) {
     case PhaseEnd::kSlipStops:
       return decide(closed);
     case PhaseEnd::kSlipBegins:  // against the friction at its limit
-      return change_to(contact, {Mode::kSlide, force.friction > 0.0 ? -1.0 : 1.0});
+      return change_to(contact, {ContactMode::kSlide, force.friction > 0.0 ? -1.0 : 1.0});
   }
 }
 
@@ -220,11 +220,11 @@ bool EventIntegrator::slip_is_zero(std::size_t k, const ContactPoint& p, double 
 }
 
 void EventIntegrator::change_to(std::size_t k, const ContactState& next) {
-  if (next.mode != Mode::kFree) first_touch(k);
+  if (next.mode != ContactMode::kFree) first_touch(k);
   if (const auto event = event_between(system_.state(k), next))
     observer_.record(motion_.t, *event, k);
   ContactState state = next;
-  if (state.mode != Mode::kFree || state.in_wall) {
+  if (state.mode != ContactMode::kFree || state.in_wall) {
     state.hunt_crossley = system_.state(k).hunt_crossley;
   }
   system_.set(k, state);

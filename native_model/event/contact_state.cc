@@ -28,7 +28,7 @@ ContactDecisions sliding_alone(const Delassus& g, double normal, double slip, do
                              : "frictional jamming (Painleve): sliding wedges the contact, and the "
                                "contact forces have several solutions";
   } else {
-    decided.next.push_back(normal >= 0.0 ? kParts : ContactState{Mode::kSlide, sign});
+    decided.next.push_back(normal >= 0.0 ? kParts : ContactState{ContactMode::kSlide, sign});
   }
   return decided;
 }
@@ -75,31 +75,31 @@ ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVecto
           slips.size() > 1 && s.y[at] <= kRedundant * scale[static_cast<Eigen::Index>(i)];
       decided.next.push_back(redundant ? redundant_contact(Departure::kParting) : kParts);
     } else if (sets[i].slides != 0.0) {
-      decided.next.push_back({Mode::kSlide, sets[i].slides});
+      decided.next.push_back({ContactMode::kSlide, sets[i].slides});
     } else if (s.sticks[i] ||
                (sets[i].normal_known && sets[i].least_normal == 0.0 && friction[i] > 0.0)) {
       // A contact that closes without slip sticks until its friction decides.
-      decided.next.push_back({Mode::kStick, 0.0});
+      decided.next.push_back({ContactMode::kStick, 0.0});
     } else {
       // It slides against its friction, because its slip is only round-off among contacts that
       // stick.
       const double force = s.p[at + 1];
       const double sign = force != 0.0 ? -force : s.y[at + 1];
-      decided.next.push_back({Mode::kSlide, sign > 0.0 ? 1.0 : -1.0});
+      decided.next.push_back({ContactMode::kSlide, sign > 0.0 ? 1.0 : -1.0});
     }
   }
   return decided;
 }
 
-PhaseEnd end_of_phase(Mode mode, const Margins& margins, const MarginScales& scales) {
+PhaseEnd end_of_phase(ContactMode mode, const Margins& margins, const MarginScales& scales) {
   if (margins.force / scales.force <= margins.tangential / scales.tangential(mode))
     return PhaseEnd::kOpens;
-  return mode == Mode::kSlide ? PhaseEnd::kSlipStops : PhaseEnd::kSlipBegins;
+  return mode == ContactMode::kSlide ? PhaseEnd::kSlipStops : PhaseEnd::kSlipBegins;
 }
 
 std::optional<EventKind> event_between(const ContactState& from, const ContactState& to) {
   if (from.mode != to.mode) return mode_event(to.mode);
-  if (to.mode == Mode::kSlide && from.slip_sign != to.slip_sign) return EventKind::kReverse;
+  if (to.mode == ContactMode::kSlide && from.slip_sign != to.slip_sign) return EventKind::kReverse;
   return {};
 }
 

@@ -18,7 +18,7 @@ namespace rotorub {
 enum class Departure { kInside = 0, kRebound = 1, kParting = 2, kLiftOff = 3 };
 
 struct ContactState {
-  Mode mode = Mode::kFree;
+  ContactMode mode = ContactMode::kFree;
   double slip_sign = 1.0;                    // only if sliding: sign of gdot_T
   Departure departure = Departure::kInside;  // only if free: how the flight began
   // Only if free: a redundant contact transmits no force, but other closed contacts keep it on its
@@ -31,9 +31,11 @@ struct ContactState {
   double hunt_crossley = 0.0;
   bool in_wall = false;
 };
-constexpr ContactState in_flight(Departure how) { return {Mode::kFree, 1.0, how}; }
+constexpr ContactState in_flight(Departure how) { return {ContactMode::kFree, 1.0, how}; }
 // A contact that opens while others are closed, which may keep it on its circle.
-constexpr ContactState redundant_contact(Departure how) { return {Mode::kFree, 1.0, how, true}; }
+constexpr ContactState redundant_contact(Departure how) {
+  return {ContactMode::kFree, 1.0, how, true};
+}
 
 struct ContactDecisions {
   Status status = Status::kOk;  // otherwise the laws have no solution or several (Painleve)
@@ -61,12 +63,12 @@ struct Margins {
 // Typical sizes of the margins.
 struct MarginScales {
   double force, speed;  // N, m/s
-  double tangential(Mode mode) const { return mode == Mode::kSlide ? speed : force; }
+  double tangential(ContactMode mode) const { return mode == ContactMode::kSlide ? speed : force; }
 };
 
 // The end of a phase when one of its margins is reached.
 enum class PhaseEnd { kOpens, kSlipStops, kSlipBegins };
-PhaseEnd end_of_phase(Mode mode, const Margins& margins, const MarginScales& scales);
+PhaseEnd end_of_phase(ContactMode mode, const Margins& margins, const MarginScales& scales);
 
 // The event that a change from one state to the next is; empty if the change is not an event.
 std::optional<EventKind> event_between(const ContactState& from, const ContactState& to);

@@ -251,7 +251,8 @@ void EventIntegrator::controller_failed(const std::string& why) {
 // If G_NN - mu s G_NT of a sliding contact approaches 0, its force grows without bound.
 void EventIntegrator::fail_step() {
   for (std::size_t k = 0; k < system_.contacts(); ++k) {
-    if (system_.state(k).mode != Mode::kSlide || model_->auxiliary[k].is_compliant()) continue;
+    if (system_.state(k).mode != ContactMode::kSlide || model_->auxiliary[k].is_compliant())
+      continue;
     ClosedContact c{k, {}};
     const ContactMatrix g = system_.accelerations(motion_.t, motion_.y.data(), std::span(&c, 1)).g;
     const double mu_sign =

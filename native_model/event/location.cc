@@ -99,7 +99,7 @@ std::optional<RedundantEnd> locate_redundant_end(const Model& m, std::size_t con
   return RedundantEnd{*closes, opens && *opens < *closes};
 }
 
-std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode mode,
+std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, ContactMode mode,
                                     const MarginScales& scales, const EventParameters& parameters) {
   // The stages of the step tell whether a margin was crossed, and the dense output tells when. A
   // value below 0 by round-off is not a crossing, because a phase may begin on its margin.

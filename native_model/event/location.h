@@ -25,7 +25,7 @@ std::optional<RedundantEnd> locate_redundant_end(const Model& model, std::size_t
                                                  double redundant_gap);
 
 // For a lasting contact: the instant at which the first of its margins is crossed.
-std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode mode,
+std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, ContactMode mode,
                                     const MarginScales& scales, const EventParameters& parameters);
 
 // For a compliant contact, from the start of the step to `last`: the largest normal force, N, at

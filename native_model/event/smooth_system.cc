@@ -106,7 +106,7 @@ void SmoothSystem::set_margins(const ClosedContact& c, double normal, double fri
   AtContact& at = at_[c.index];
   const ContactParameters& contact = *model_->auxiliary[c.index].contact;
   at.multipliers = {normal, friction};
-  const bool slides = at.state.mode == Mode::kSlide;
+  const bool slides = at.state.mode == ContactMode::kSlide;
   at.margins = {normal, slides ? at.state.slip_sign * c.point.slip
                                : contact.friction.sticking() * normal - std::abs(friction)};
   // Without friction the direction of sliding does not matter.
@@ -141,7 +141,7 @@ PlanarImpulse SmoothSystem::force_of_one(const ClosedContact& c,
       delassus(inverse_mass_.admittance(at.admittance, coupling), c.point.e_r, radius);
   const Eigen::Vector2d b = free_acceleration(c);
   const std::optional<double> known = compliant_force(c);
-  if (at.state.mode != Mode::kStick) {
+  if (at.state.mode != ContactMode::kStick) {
     const double friction = mu_sign(c), normal = known ? *known : sliding_normal(g, b[0], friction);
     return {normal, -friction * normal};
   }
@@ -164,7 +164,7 @@ void SmoothSystem::forces_of_several(double t, const double* q, PlanarImpulse* f
     } else {
       system.set_unknown(row);
     }
-    if (at_[c.index].state.mode == Mode::kStick) {
+    if (at_[c.index].state.mode == ContactMode::kStick) {
       system.set_unknown(row + 1);
     } else if (known) {
       system.given[row + 1] = -mu_sign(c) * *known;

@@ -83,8 +83,9 @@ struct Multipliers {
 };
 
 // The condition on the velocities of a rigid contact that slides or sticks.
-inline Constraint::Velocity velocity_of(Mode mode) {
-  return mode == Mode::kStick ? Constraint::Velocity::kZero : Constraint::Velocity::kTangential;
+inline Constraint::Velocity velocity_of(ContactMode mode) {
+  return mode == ContactMode::kStick ? Constraint::Velocity::kZero
+                                     : Constraint::Velocity::kTangential;
 }
 
 class SmoothSystem {
@@ -94,7 +95,7 @@ class SmoothSystem {
   // The present state of each contact.
   void set(std::size_t contact, const ContactState& state) { at_[contact].state = state; }
   const ContactState& state(std::size_t contact) const { return at_[contact].state; }
-  bool in_contact(std::size_t contact) const { return state(contact).mode != Mode::kFree; }
+  bool in_contact(std::size_t contact) const { return state(contact).mode != ContactMode::kFree; }
   // True if the phase ends by a margin: in contact, or in the wall of a compliant contact.
   bool has_margins(std::size_t contact) const {
     return in_contact(contact) || state(contact).in_wall;

@@ -20,9 +20,10 @@ std::string events_of(const MotionRecord& motion) {
   for (const Stretch& s : motion.stretches) {
     if (!s.jump) continue;
     const auto digit = static_cast<char>('1' + s.jump->contact);
-    const Mode from = s.states[s.jump->contact].mode, to = s.jump->states[s.jump->contact].mode;
-    impacts = from == Mode::kFree ? impacts + 1 : 0;
-    if (from == Mode::kFree) events += {digit, 'i'};
+    const ContactMode from = s.states[s.jump->contact].mode,
+                      to = s.jump->states[s.jump->contact].mode;
+    impacts = from == ContactMode::kFree ? impacts + 1 : 0;
+    if (from == ContactMode::kFree) events += {digit, 'i'};
     if (to == from) continue;
     // The number of impacts in an accumulation is not a property of the motion.
     if (impacts >= kLeastAccumulation) {
@@ -30,7 +31,7 @@ std::string events_of(const MotionRecord& motion) {
       events += {digit, 'a'};
     }
     impacts = 0;
-    events += {digit, to == Mode::kFree ? 'f' : to == Mode::kSlide ? 's' : 'r'};
+    events += {digit, to == ContactMode::kFree ? 'f' : to == ContactMode::kSlide ? 's' : 'r'};
   }
   return events;
 }

@@ -161,11 +161,11 @@ void FlowDerivative::sample(double t, const std::vector<double>& before, Eigen::
 
 FlowDerivative::Kind FlowDerivative::kind_of(const Jump& jump, const ContactStates& before) const {
   const ContactState &from = before[jump.contact], &to = jump.states[jump.contact];
-  if (from.mode == Mode::kSlide) {
-    const bool goes_on = to.mode == Mode::kSlide && to.slip_sign == from.slip_sign;
-    return to.mode == Mode::kFree || goes_on ? Kind::kSmooth : Kind::kSlipEnds;
+  if (from.mode == ContactMode::kSlide) {
+    const bool goes_on = to.mode == ContactMode::kSlide && to.slip_sign == from.slip_sign;
+    return to.mode == ContactMode::kFree || goes_on ? Kind::kSmooth : Kind::kSlipEnds;
   }
-  if (from.mode != Mode::kFree || from.in_wall) return Kind::kSmooth;
+  if (from.mode != ContactMode::kFree || from.in_wall) return Kind::kSmooth;
   if (model_->auxiliary[jump.contact].is_compliant()) return Kind::kTouch;
   // A redundant contact has a force again without an impact, unless its gap had opened.
   const auto half = static_cast<std::ptrdiff_t>(jump.before.size() / 2);
@@ -189,7 +189,7 @@ std::size_t FlowDerivative::capture(const MotionRecord& motion, std::size_t from
     const Stretch& s = motion.stretches[i];
     if (!s.jump) continue;
     if (s.jump->contact != contact || kind_of(*s.jump, s.states) != Kind::kImpact) return from;
-    if (s.jump->states[contact].mode != Mode::kFree) return i;
+    if (s.jump->states[contact].mode != ContactMode::kFree) return i;
   }
   return from;
 }
@@ -234,7 +234,7 @@ double FlowDerivative::deepest(const MotionRecord& motion) const {
   double depth = 0.0;
   for (const Stretch& s : motion.stretches) {
     for (std::size_t k = 0; k < s.states.size(); ++k) {
-      if (!model_->auxiliary[k].is_compliant() || s.states[k].mode == Mode::kFree) continue;
+      if (!model_->auxiliary[k].is_compliant() || s.states[k].mode == ContactMode::kFree) continue;
       const double* y = s.y.data();
       depth = std::max(depth, -contact_point(*model_, y, y + model_->nq(), k).gap);
     }

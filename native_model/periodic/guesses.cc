@@ -99,7 +99,7 @@ double return_time(const Model& m, const State& at, double longest,
 
 int closed_contacts(const ContactStates& states) {
   return static_cast<int>(
-      std::ranges::count_if(states, [](const auto& s) { return s.mode != Mode::kFree; }));
+      std::ranges::count_if(states, [](const auto& s) { return s.mode != ContactMode::kFree; }));
 }
 
 // s, the middle of the longest part of the motion without events, among those with the fewest

@@ -24,7 +24,7 @@ ImpactDerivative::ImpactDerivative(const Model& model, double t, const Jump& jum
   for (std::size_t k = 0; k < before.size(); ++k) {
     const auto& contact = model.auxiliary[k].contact;
     if (!contact || contact->is_compliant()) continue;
-    const bool lasts = before[k].mode != Mode::kFree;
+    const bool lasts = before[k].mode != ContactMode::kFree;
     const double gap = contact_point(model, y, y + model.nq(), k).gap;
     if (lasts) lasting_.push_back({k, velocity_of(before[k].mode)});
     if (!lasts && !before[k].redundant && k != jump.contact &&

@@ -39,7 +39,7 @@ class Follower {
   void last(const SmoothSystem& system, double length) {
     for (std::size_t k = 0; k < figures_.size(); ++k) {
       if (system.in_contact(k)) figures_[k].contact_share += length;
-      if (system.state(k).mode == Mode::kStick) figures_[k].stuck_share += length;
+      if (system.state(k).mode == ContactMode::kStick) figures_[k].stuck_share += length;
     }
   }
   ContactFigures& of(std::size_t contact) { return figures_[contact]; }

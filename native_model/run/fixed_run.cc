@@ -289,7 +289,7 @@ class FixedRun {
   std::vector<ContactPoint> points_, last_points_;        // at the last state and the one before it
   std::vector<std::optional<ContactEpisodes>> episodes_;  // for compliant contacts
   std::vector<ContactSnapshot> shown_;                    // of the last snapshot
-  std::array<Mode, kMaxContacts> modes_{};
+  std::array<ContactMode, kMaxContacts> modes_{};
   std::string message_;
   Status status_ = Status::kOk;
 };

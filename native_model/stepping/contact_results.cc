@@ -46,7 +46,7 @@ void StepContacts::record_lasting() {
     ContactStep& done = results_[i];
     done = {};
     if (!c.closed || !(c.normal > 0.0)) continue;
-    done.mode = c.slip_sign == 0.0 ? Mode::kStick : Mode::kSlide;
+    done.mode = c.slip_sign == 0.0 ? ContactMode::kStick : ContactMode::kSlide;
     done.reversed = contacts_[i].last_sign * c.slip_sign < 0.0;
     done.normal_impulse = c.normal;
     done.friction_impulse = c.friction;

@@ -85,7 +85,7 @@ Status EulerStepper::solve_one(double t, Closing& c) const {
   const CoulombSolution s = solve_coulomb(g, c.end, c.slip, law.friction, c.before);
   c.normal = s.normal;
   c.friction = s.friction;
-  c.sticks = mode_of(s) == Mode::kStick;
+  c.sticks = mode_of(s) == ContactMode::kStick;
   return status_of(s.solutions);
 }
 

@@ -24,11 +24,11 @@ struct CommandJump {
 
 // Results at one contact.
 struct ContactStep {
-  Mode mode = Mode::kFree;            // state of the lasting contact
-  bool reversed = false;              // the slip changed its sign without sticking
-  double normal_impulse = 0.0;        // N s over the step, impacts and lasting contact together
-  double friction_impulse = 0.0;      // N s, on the rotor along e_t
-  Eigen::Vector2d lasting{0.0, 0.0};  // N s, (normal, friction) of lasting contact only
+  ContactMode mode = ContactMode::kFree;  // state of the lasting contact
+  bool reversed = false;                  // the slip changed its sign without sticking
+  double normal_impulse = 0.0;            // N s over the step, impacts and lasting contact together
+  double friction_impulse = 0.0;          // N s, on the rotor along e_t
+  Eigen::Vector2d lasting{0.0, 0.0};      // N s, (normal, friction) of lasting contact only
   // N, (normal, friction) force, at the start of the step, of an impact that takes time.
   Eigen::Vector2d impact_force{0.0, 0.0};
 };

@@ -43,7 +43,7 @@ bool is_modal(const ColumnMeaning& column);
 struct ContactSnapshot {
   double normal_force = 0.0;    // N, of lasting contact, >= 0
   double friction_force = 0.0;  // N, on the rotor along e_t
-  Mode mode = Mode::kFree;
+  ContactMode mode = ContactMode::kFree;
   ActuatorState actuator{};
 };
 // State of the model at one instant. q, v: nq values, valid during the call.

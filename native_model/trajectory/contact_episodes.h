@@ -17,7 +17,7 @@ struct SoftStep {
   ContactPoint before, after;
   double normal = 0.0;    // N, >= 0
   double friction = 0.0;  // N, on the rotor along e_t
-  Mode mode = Mode::kFree;
+  ContactMode mode = ContactMode::kFree;
   // State that gives the rates of the approach; null: `before`.
   const ContactPoint* approach = nullptr;
 };
@@ -34,7 +34,7 @@ class ContactEpisodes {
   int contact_;
   bool open_ = false;
   Impact impact_;
-  Mode mode_ = Mode::kFree;
+  ContactMode mode_ = ContactMode::kFree;
   double last_gap_ = 0.0;              // m, one step earlier
   double begin_ = 0.0, lasted_ = 0.0;  // s, begin and duration of the episode
 };

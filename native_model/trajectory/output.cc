@@ -68,7 +68,7 @@ void write_series(const Trajectory& trajectory, const std::filesystem::path& fil
       if (!first) text += ',';
       first = false;
       if (contact_of_column(column.name).second == "mode") {
-        text += to_string(static_cast<Mode>(static_cast<int>(column.values[row])));
+        text += to_string(static_cast<ContactMode>(static_cast<int>(column.values[row])));
       } else {
         append_number(text, column.values[row]);
       }

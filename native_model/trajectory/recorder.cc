@@ -86,7 +86,7 @@ void Recorder::keep(const Snapshot& now, std::span<const ContactPoint> points) {
   for (std::size_t k = 0; k < points.size(); ++k) {
     ContactStatistics& own = statistics_.contacts[k];
     // A touch that lasts is counted only at its end.
-    if (own.first_touch < 0.0 && now.contacts[k].mode == Mode::kFree) continue;
+    if (own.first_touch < 0.0 && now.contacts[k].mode == ContactMode::kFree) continue;
     own.passes.follow(points[k].d, now.t);
   }
 }
@@ -280,7 +280,8 @@ void Recorder::row(const Snapshot& now) {
   for (std::size_t k = 0; k < m.auxiliary.size(); ++k) {
     if (!m.auxiliary[k].contact) continue;
     const ContactSnapshot& at = now.contacts[k];
-    if (at.mode != Mode::kFree) resting_ += at.normal_force * m.auxiliary[k].contact->clearance;
+    if (at.mode != ContactMode::kFree)
+      resting_ += at.normal_force * m.auxiliary[k].contact->clearance;
   }
   put_row(m, next_time(), now, columns_);
   ++next_;

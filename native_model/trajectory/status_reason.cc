@@ -20,9 +20,9 @@ const char* status_reason(Status status) {
   }
 }
 
-EventKind mode_event(Mode mode) {
-  if (mode == Mode::kFree) return EventKind::kLiftOff;
-  return mode == Mode::kSlide ? EventKind::kSlide : EventKind::kStick;
+EventKind mode_event(ContactMode mode) {
+  if (mode == ContactMode::kFree) return EventKind::kLiftOff;
+  return mode == ContactMode::kSlide ? EventKind::kSlide : EventKind::kStick;
 }
 
 }  // namespace rotorub

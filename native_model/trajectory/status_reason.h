@@ -9,6 +9,6 @@ namespace rotorub {
 const char* status_reason(Status status);
 
 // Event that marks a contact's change to `mode`.
-EventKind mode_event(Mode mode);
+EventKind mode_event(ContactMode mode);
 
 }  // namespace rotorub

@@ -16,7 +16,7 @@ constexpr std::array kStatusNames{"ok",          "diverged",         "no_solutio
 
 }  // namespace
 
-const char* to_string(Mode mode) { return kModeNames.at(static_cast<std::size_t>(mode)); }
+const char* to_string(ContactMode mode) { return kModeNames.at(static_cast<std::size_t>(mode)); }
 const char* to_string(EventKind kind) { return kEventNames.at(static_cast<std::size_t>(kind)); }
 const char* to_string(Status status) { return kStatusNames.at(static_cast<std::size_t>(status)); }
 

@@ -17,9 +17,9 @@
 
 namespace rotorub {
 
-const char* to_string(Mode mode);  // "free", "slide", "stick"
+const char* to_string(ContactMode mode);  // "free", "slide", "stick"
 
-// One column of the series. The column `mode` holds the number of the Mode.
+// One column of the series. The column `mode` holds the number of the ContactMode.
 struct Column {
   std::string name;
   std::string unit;

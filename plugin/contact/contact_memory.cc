@@ -52,7 +52,7 @@ ContactForces recorded_forces(const ContactEntries& entry) {
   ContactForces out;
   out.normal = entry.normal_force;
   out.friction = entry.friction_force;
-  out.mode = static_cast<Mode>(static_cast<int>(entry.mode));
+  out.mode = static_cast<ContactMode>(static_cast<int>(entry.mode));
   return out;
 }
 
@@ -103,7 +103,8 @@ ContactForces cone_forces(const mjModel* m, const mjData* d, const mjContact& co
   // MuJoCo's force acts on geom 2, along the frame. If the geoms change places, e_t and the body
   // that the force acts on both turn round.
   out.friction = -force[1];
-  out.mode = contact.dim >= 3 && within_cone(m, d, contact, force) ? Mode::kStick : Mode::kSlide;
+  out.mode = contact.dim >= 3 && within_cone(m, d, contact, force) ? ContactMode::kStick
+                                                                   : ContactMode::kSlide;
   return out;
 }
 

@@ -36,7 +36,7 @@ void watch_escape(const ContactPair& pair, mjData* d, double delta);
 
 // Records the mode and the forces of a contact in its entries: N, the normal force and the friction
 // on the rotor along e_t.
-inline void record_forces(ContactEntries& entry, Mode mode, double normal, double friction) {
+inline void record_forces(ContactEntries& entry, ContactMode mode, double normal, double friction) {
   entry.mode = static_cast<double>(mode);
   entry.normal_force = normal;
   entry.friction_force = friction;
@@ -78,7 +78,7 @@ class ContactMemory {
   // Records the results. The forces are means over the step. delta: m, distance of the centres in
   // this pass.
   void note(const RigidResult& r, double delta) {
-    entry_.now = r.mode == Mode::kFree ? 0.0 : delta;
+    entry_.now = r.mode == ContactMode::kFree ? 0.0 : delta;
     record_forces(entry_, r.mode, r.normal / h_, r.friction / h_);
     ContactStatus status(entry_.status);
     if (r.converged) {
@@ -109,7 +109,7 @@ const mjContact* find_contact(const ContactPair& pair, const mjData* d);
 struct ContactForces {
   double normal = 0.0;    // N, >= 0
   double friction = 0.0;  // N, on the rotor along e_t
-  Mode mode = Mode::kFree;
+  ContactMode mode = ContactMode::kFree;
   // For `rigid`: true if the forces are an impact's impulses divided by the step. Rates before and
   // after the impact, m/s.
   bool impact = false;

@@ -139,7 +139,8 @@ class RigidSolver {
         c.result.mode = mode_of(c.impact_impulse.x(), found.sticks[k]);
         continue;
       }
-      c.result.mode = found.lasts[k] ? mode_of(c.impact_impulse.x(), found.sticks[k]) : Mode::kFree;
+      c.result.mode =
+          found.lasts[k] ? mode_of(c.impact_impulse.x(), found.sticks[k]) : ContactMode::kFree;
       c.result.impact = true;
       c.result.gap_rate_before = before[row] - s.members[k].offset;
       c.result.slip_before = before[row + 1];

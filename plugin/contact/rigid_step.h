@@ -34,8 +34,9 @@ struct RigidResult {
   // with constraints: it then gets the impulse with the least error that was found.
   Status status = Status::kOk;
   bool converged = true;
-  bool impact = false;            // true: impact by Poisson's law; false: lasting contact or none
-  Mode mode = Mode::kFree;        // mode of a contact that lasts at the end, also after an impact
+  bool impact = false;  // true: impact by Poisson's law; false: lasting contact or none
+  ContactMode mode =
+      ContactMode::kFree;         // mode of a contact that lasts at the end, also after an impact
   Eigen::Vector2d e_r{1.0, 0.0};  // normal of the impulses
   double normal = 0.0;            // N s, >= 0
   double friction = 0.0;          // N s, on the rotor along e_t

@@ -23,7 +23,7 @@ namespace rotorub::plugin {
 struct ContactEntries {
   // In the last forward pass:
   mjtNum friction_force;  // N, on the rotor along e_t
-  mjtNum mode;            // the Mode as a number
+  mjtNum mode;            // the ContactMode as a number
   mjtNum normal_force;    // N; for `rigid` the mean over the step that begins with the pass
   // The rest is for `rigid` only, except `status`:
   mjtNum time;    // s, of the pass to which `before`, `now` and `status` belong

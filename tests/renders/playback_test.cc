@@ -63,9 +63,9 @@ TEST(Playback, HoldsForcesAcrossALiftOff) {
   const Playback playback(run);
   EXPECT_NEAR(playback.at(0.025).normal_force, 20.0, 1e-12);  // within one contact
   EXPECT_EQ(playback.at(0.075).normal_force, 30.0);           // the row before
-  EXPECT_EQ(playback.at(0.075).mode, Mode::kSlide);
+  EXPECT_EQ(playback.at(0.075).mode, ContactMode::kSlide);
   EXPECT_EQ(playback.at(0.1).normal_force, 0.0);
-  EXPECT_EQ(playback.at(0.1).mode, Mode::kFree);
+  EXPECT_EQ(playback.at(0.1).mode, ContactMode::kFree);
 }
 
 TEST(Playback, ClampsToTheRun) {

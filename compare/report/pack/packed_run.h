@@ -35,8 +35,8 @@ using PackedRun = std::map<std::string, Track>;
 //   For each contact, with the prefix contact2_ and so on for the further ones: rotor (x, y, m),
 //   ring (x, y), gap (m) and gap_rate (m/s; with the rigid law both have knots at every impact),
 //   ring_spin (rad), ring_speed (rad/s), normal, friction (N, of lasting contact, as in the
-//   series), mode (a Mode), control (x, y, N, on the ring), current (of axes 1 and 2, A), impacts
-//   (normal and friction impulse, N s; held, one knot per counted impact).
+//   series), mode (a ContactMode), control (x, y, N, on the ring), current (of axes 1 and 2, A),
+//   impacts (normal and friction impulse, N s; held, one knot per counted impact).
 // machine: the scene's; its modes determine how far each coordinate moves the shaft.
 PackedRun pack_run(const scene::Scene& scene, const renders::Machine& machine,
                    const Trajectory& trajectory);

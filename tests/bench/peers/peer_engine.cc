@@ -65,10 +65,10 @@ class PeerRecord {
       recorder_.add(impact);
       recorder_.add(Event{t, EventKind::kImpact});
     }
-    const Mode mode = !touches || hits ? Mode::kFree
-                      : std::abs(r.friction) < system_.friction * r.normal * (1.0 - 1e-9)
-                          ? Mode::kStick
-                          : Mode::kSlide;
+    const ContactMode mode = !touches || hits ? ContactMode::kFree
+                             : std::abs(r.friction) < system_.friction * r.normal * (1.0 - 1e-9)
+                                 ? ContactMode::kStick
+                                 : ContactMode::kSlide;
     if (soft_) {
       episodes_.step({t - step_, step_, point_, now, r.normal / step_, r.friction / step_, mode});
     } else {
@@ -107,12 +107,12 @@ class PeerRecord {
     }
   }
 
-  void note(double t, Mode mode) {
+  void note(double t, ContactMode mode) {
     if (mode == mode_) return;
     mode_ = mode;
-    recorder_.add(Event{t, mode == Mode::kSlide   ? EventKind::kSlide
-                           : mode == Mode::kStick ? EventKind::kStick
-                                                  : EventKind::kLiftOff});
+    recorder_.add(Event{t, mode == ContactMode::kSlide   ? EventKind::kSlide
+                           : mode == ContactMode::kStick ? EventKind::kStick
+                                                         : EventKind::kLiftOff});
   }
 
   const Model& model_;
@@ -125,7 +125,7 @@ class PeerRecord {
   std::vector<double> q_, v_;
   ContactPoint point_;
   bool touched_ = false;
-  Mode mode_ = Mode::kFree;
+  ContactMode mode_ = ContactMode::kFree;
 };
 
 class PeerEngine final : public Engine {

@@ -55,7 +55,7 @@ TEST_P(SeveralInMujoco, PressOnEachRingAsTheNativeModelDoes) {
     const double exact = native.column(column).back();
     EXPECT_NEAR(t.column(column).back(), exact, 0.02 * exact) << column;
   }
-  EXPECT_EQ(t.column("contact2_mode").back(), static_cast<double>(Mode::kSlide));
+  EXPECT_EQ(t.column("contact2_mode").back(), static_cast<double>(ContactMode::kSlide));
 }
 
 INSTANTIATE_TEST_SUITE_P(, SeveralInMujoco,

@@ -29,7 +29,7 @@ TEST(ContactState, PartsWhereNothingPresses) {
   for (const double slip : {0.0, 0.3, -0.3}) {
     const Decision d = select(0.1, 0.0, slip);
     EXPECT_EQ(d.status, Status::kOk);
-    EXPECT_EQ(d.next.mode, Mode::kFree);
+    EXPECT_EQ(d.next.mode, ContactMode::kFree);
     EXPECT_EQ(d.next.departure, Departure::kParting);
   }
 }
@@ -37,28 +37,30 @@ TEST(ContactState, PartsWhereNothingPresses) {
 TEST(ContactState, SlidesTheWayItSlips) {
   for (const double sign : {1.0, -1.0}) {
     const Decision d = select(-1.0, 100.0, sign * 1e-9);
-    EXPECT_EQ(d.next.mode, Mode::kSlide);
+    EXPECT_EQ(d.next.mode, ContactMode::kSlide);
     EXPECT_EQ(d.next.slip_sign, sign) << "whatever the acceleration";
   }
 }
 
 // Without slip: friction of at most mu lambda_N = 0.5 N holds accelerations up to 2 x 0.5 m/s^2.
 TEST(ContactState, WithoutSlipTheConeDecides) {
-  EXPECT_EQ(select(-1.0, 0.99, 0.0).next.mode, Mode::kStick);
+  EXPECT_EQ(select(-1.0, 0.99, 0.0).next.mode, ContactMode::kStick);
   for (const double sign : {1.0, -1.0}) {
     const Decision d = select(-1.0, sign * 1.01, 0.0);
-    EXPECT_EQ(d.next.mode, Mode::kSlide);
+    EXPECT_EQ(d.next.mode, ContactMode::kSlide);
     EXPECT_EQ(d.next.slip_sign, sign);
   }
 }
 
 TEST(ContactState, RoundOffOfEitherSignIsContactWithoutForce) {
   for (const double normal : {1e-12, -1e-12}) {
-    EXPECT_EQ(select(normal, 0.0, 0.1, 1.0).next.mode, Mode::kSlide);
-    EXPECT_EQ(select(normal, 0.1, 0.0, 1.0).next.mode, Mode::kSlide) << "nothing to stick with";
+    EXPECT_EQ(select(normal, 0.0, 0.1, 1.0).next.mode, ContactMode::kSlide);
+    EXPECT_EQ(select(normal, 0.1, 0.0, 1.0).next.mode, ContactMode::kSlide)
+        << "nothing to stick with";
   }
-  EXPECT_EQ(select(1e-9, 0.0, 0.1, 1.0).next.mode, Mode::kFree) << "that is more than round-off";
-  EXPECT_EQ(select(0.0, 0.0, 0.1, 0.0).next.mode, Mode::kFree) << "nothing acts at all";
+  EXPECT_EQ(select(1e-9, 0.0, 0.1, 1.0).next.mode, ContactMode::kFree)
+      << "that is more than round-off";
+  EXPECT_EQ(select(0.0, 0.0, 0.1, 0.0).next.mode, ContactMode::kFree) << "nothing acts at all";
 }
 
 TEST(ContactState, ReportsJamming) {
@@ -73,15 +75,16 @@ TEST(ContactState, ReportsJamming) {
 
 TEST(ContactState, ThePhaseEndsAtTheMarginThatIsReached) {
   const MarginScales scales{100.0, 0.1};
-  EXPECT_EQ(end_of_phase(Mode::kSlide, {0.0, 0.05}, scales), PhaseEnd::kOpens);
-  EXPECT_EQ(end_of_phase(Mode::kSlide, {10.0, 0.0}, scales), PhaseEnd::kSlipStops);
-  EXPECT_EQ(end_of_phase(Mode::kStick, {10.0, 0.0}, scales), PhaseEnd::kSlipBegins);
-  EXPECT_EQ(end_of_phase(Mode::kStick, {0.0, 0.0}, scales), PhaseEnd::kOpens) << "with its cone";
+  EXPECT_EQ(end_of_phase(ContactMode::kSlide, {0.0, 0.05}, scales), PhaseEnd::kOpens);
+  EXPECT_EQ(end_of_phase(ContactMode::kSlide, {10.0, 0.0}, scales), PhaseEnd::kSlipStops);
+  EXPECT_EQ(end_of_phase(ContactMode::kStick, {10.0, 0.0}, scales), PhaseEnd::kSlipBegins);
+  EXPECT_EQ(end_of_phase(ContactMode::kStick, {0.0, 0.0}, scales), PhaseEnd::kOpens)
+      << "with its cone";
 }
 
 TEST(ContactState, EveryChangeIsAnEventAndNoOtherIs) {
-  const ContactState free{}, plus{Mode::kSlide, 1.0}, minus{Mode::kSlide, -1.0},
-      stick{Mode::kStick, 0.0};
+  const ContactState free{}, plus{ContactMode::kSlide, 1.0}, minus{ContactMode::kSlide, -1.0},
+      stick{ContactMode::kStick, 0.0};
   EXPECT_EQ(event_between(free, plus), EventKind::kSlide);
   EXPECT_EQ(event_between(stick, minus), EventKind::kSlide);
   EXPECT_EQ(event_between(plus, stick), EventKind::kStick);

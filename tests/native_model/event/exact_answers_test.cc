@@ -92,13 +92,13 @@ TEST(EventWhip, GrowsByTheRiccatiEquationUntilItRolls) {
     const double x = t.column("rotor_x")[k], y = t.column("rotor_y")[k];
     const double vx = t.column("rotor_vx")[k], vy = t.column("rotor_vy")[k];
     const double nu = -(x * vy - y * vx) / (j.clearance * j.clearance);
-    if (static_cast<Mode>(t.column("mode")[k]) == Mode::kSlide) {
+    if (static_cast<ContactMode>(t.column("mode")[k]) == ContactMode::kSlide) {
       slid = true;
       ASSERT_NEAR(nu, exact.whirl_speed(start, t.column("t")[k]), 1e-10 * nu);
       ASSERT_NEAR(t.column("normal_force")[k], exact.normal_force(nu),
                   1e-9 * exact.normal_force(nu));
     } else {
-      ASSERT_EQ(static_cast<Mode>(t.column("mode")[k]), Mode::kStick);
+      ASSERT_EQ(static_cast<ContactMode>(t.column("mode")[k]), ContactMode::kStick);
       ASSERT_NEAR(nu, rolling, 1e-10 * rolling);
     }
   }

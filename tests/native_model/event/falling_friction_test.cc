@@ -129,7 +129,7 @@ TEST(FallingFriction, ReversesInEveryScheme) {
   EXPECT_GT(std::count_if(exact.events.begin(), exact.events.end(),
                           [](const Event& e) { return e.kind == EventKind::kReverse; }),
             0);
-  EXPECT_EQ(exact.column("mode").back(), static_cast<double>(Mode::kStick));
+  EXPECT_EQ(exact.column("mode").back(), static_cast<double>(ContactMode::kStick));
   for (const auto& [integrator, least] :
        {std::pair{scene::Integrator::kVerlet, 1.8}, std::pair{scene::Integrator::kEuler, 0.9}}) {
     test::Convergence c;

@@ -37,7 +37,7 @@ TEST_P(TwoRings, AgreesWithASecondProgram) {
       const std::size_t contact = column.starts_with("contact2_") ? 1 : 0;
       if (scene.auxiliary[contact].contact->friction.coefficient == 0.0)
         continue;  // sliding and sticking are one there
-      EXPECT_EQ(to_string(static_cast<Mode>(static_cast<int>(t.column(column)[k]))), mode)
+      EXPECT_EQ(to_string(static_cast<ContactMode>(static_cast<int>(t.column(column)[k]))), mode)
           << column << " at " << row.at("t");
     }
   }

@@ -84,7 +84,7 @@ TEST(HardWhip, AboveTheEdgeItComesToRoll) {
   const double rolling =
       scene.first().contact->radius * scene.rotor.speed / scene.first().contact->clearance;
   EXPECT_NEAR(rolling, 31415.927, 5e-4);
-  EXPECT_EQ(static_cast<Mode>(t.column("mode").back()), Mode::kStick);
+  EXPECT_EQ(static_cast<ContactMode>(t.column("mode").back()), ContactMode::kStick);
   EXPECT_NEAR(test::whirl_speed(t, t.rows() - 1), -rolling, 1e-9 * rolling);
   EXPECT_NEAR(t.column("normal_force").back(), test::whip_of(scene).normal_force(rolling),
               1e-6 * t.column("normal_force").back());

@@ -93,7 +93,7 @@ inline void expect_sound_event(const scene::Scene& scene, const Trajectory& t) {
                                                scene.first().contact->friction.coefficient,
                                                scene.first().contact->clearance, force, speed);
     ASSERT_LT(r.complementarity, kLaws) << "t = " << t.column("t")[k];
-    if (static_cast<Mode>(mode[k]) != Mode::kFree) {
+    if (static_cast<ContactMode>(mode[k]) != ContactMode::kFree) {
       ASSERT_LT(r.coulomb, kLaws) << "t = " << t.column("t")[k];
     }
   }

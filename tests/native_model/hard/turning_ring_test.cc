@@ -93,7 +93,7 @@ TEST(TurningRing, ADeadLoadEndsInRolling) {
   const double exact = oracle::rolling_surface_speed({kSpinInertia, kRadius, 200.0}, ring, -15.0);
   for (const Integrator integrator : {Integrator::kEvent, Integrator::kVerlet}) {
     const Trajectory t = run_with(s, integrator);
-    EXPECT_EQ(t.column("mode").back(), static_cast<double>(Mode::kStick));
+    EXPECT_EQ(t.column("mode").back(), static_cast<double>(ContactMode::kStick));
     EXPECT_NEAR(kRadius * t.column("spin_speed").back(), exact, 1e-9 * exact);
     EXPECT_NEAR(kBore * t.column("ring_speed").back(), exact, 1e-9 * exact);
   }

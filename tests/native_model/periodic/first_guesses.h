@@ -35,7 +35,7 @@ inline FoundGuess guess_at_start(const Model& m) {
   found.message = begun.message;
   found.guess.start = start;
   for (std::size_t k = 0; k < begun.first.size(); ++k) {
-    if (begun.first[k].mode == Mode::kFree || m.auxiliary[k].is_compliant()) continue;
+    if (begun.first[k].mode == ContactMode::kFree || m.auxiliary[k].is_compliant()) continue;
     found.guess.held.push_back({k, velocity_of(begun.first[k].mode)});
   }
   const Forcing forcing = forcing_of(m);

@@ -22,10 +22,10 @@ std::string events_of(const Model& model, const MotionRecord& motion) {
     const ContactState& to = s.jump->states[s.jump->contact];
     const ContactState& from = s.states[s.jump->contact];
     const bool gives = model.auxiliary[s.jump->contact].is_compliant();
-    if (from.mode == Mode::kFree) events += gives ? 'T' : 'I';
-    if (from.mode != Mode::kFree && to.mode == Mode::kFree) events += 'L';
-    if (to.mode == Mode::kSlide) events += 'S';
-    if (to.mode == Mode::kStick) events += 'R';
+    if (from.mode == ContactMode::kFree) events += gives ? 'T' : 'I';
+    if (from.mode != ContactMode::kFree && to.mode == ContactMode::kFree) events += 'L';
+    if (to.mode == ContactMode::kSlide) events += 'S';
+    if (to.mode == ContactMode::kStick) events += 'R';
   }
   return events;
 }

@@ -216,7 +216,7 @@ void expect_comes_back(const scene::Scene& scene, double period, double share) {
   const Eigen::Map<const Eigen::VectorXd> q(r.end.data(), n), v(r.end.data() + m.nq(), n);
   EXPECT_LT((q - m.q0.head(n)).norm(), share * m.q0.head(n).norm());
   EXPECT_LT((v - m.v0.head(n)).norm(), share * m.v0.head(n).norm());
-  EXPECT_EQ(r.last[0].mode, Mode::kSlide);
+  EXPECT_EQ(r.last[0].mode, ContactMode::kSlide);
 }
 
 // Weight breaks the symmetry that the closed form needs. Five turns lead back to the start.

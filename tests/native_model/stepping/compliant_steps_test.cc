@@ -82,7 +82,7 @@ TEST(CompliantSteps, KeepTheirOrderWhileTheyStick) {
     const scene::Scene s = rolling(law.compliance);
     const Trajectory exact = run_event(s);
     const std::vector<double>& modes = exact.column("mode");
-    const auto stuck = std::ranges::count(modes, static_cast<double>(Mode::kStick));
+    const auto stuck = std::ranges::count(modes, static_cast<double>(ContactMode::kStick));
     ASSERT_GE(stuck, std::ssize(modes) / 4) << law.name;
     SCOPED_TRACE(law.name);
     test::expect_order_of_steps(

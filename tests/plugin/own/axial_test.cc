@@ -65,10 +65,10 @@ TEST_F(Axial, AsMujocosCone) {
     int sliding = 0, closed = 0;
     for (int i = 0; i < 10000; ++i) {
       mj_step(m.get(), d.get());
-      const Mode mode =
+      const ContactMode mode =
           plugin::contact_forces(*plugin::find_config(m.get(), d.get()), m.get(), d.get()).mode;
-      closed += mode == Mode::kFree ? 0 : 1;
-      sliding += mode == Mode::kSlide ? 1 : 0;
+      closed += mode == ContactMode::kFree ? 0 : 1;
+      sliding += mode == ContactMode::kSlide ? 1 : 0;
     }
     const double speed = mu == 0.1 ? -0.1 * (kWeight - 10.0) / kLiftMass : 0.0;
     EXPECT_NEAR(of(m.get(), d->qvel, "lift"), speed, 5e-3) << mu;
