@@ -37,7 +37,7 @@ RunEnd EventIntegrator::run(const State& start, double end, Recorder& recorder,
                             const std::atomic<bool>* interrupt) {
   begin(start, end, recorder);
   std::int64_t ticks = 0;
-  while (look_ahead()) {
+  while (compute_stretch()) {
     pass();
     if (result_.status != Status::kOk) continue;
     // At every step, because a controller may take long.
@@ -54,7 +54,7 @@ RunEnd EventIntegrator::run(const State& start, double end, Recorder& recorder,
 
 void EventIntegrator::begin(const State& start, double end, Recorder& recorder) {
   end_ = end;
-  ahead_ = {};
+  stretch_ = {};
   result_ = {};
   schedule_.begin(start.t, end_);
   motion_.begin(start);
@@ -80,12 +80,12 @@ void EventIntegrator::begin(const State& start, double end, Recorder& recorder) 
 }
 
 // Takes one step, up to a break or to the event in it.
-bool EventIntegrator::look_ahead() {
-  if (ahead_.known) return true;
+bool EventIntegrator::compute_stretch() {
+  if (stretch_.known) return true;
   if (motion_.t >= end_ || result_.status != Status::kOk) return false;
-  ahead_ = {};
-  ahead_.limit = schedule_.next(motion_.t);
-  if (!step_.advance(motion_, ahead_.limit)) {
+  stretch_ = {};
+  stretch_.limit = schedule_.next(motion_.t);
+  if (!step_.advance(motion_, stretch_.limit)) {
     fail_step();
     return false;
   }
@@ -94,22 +94,22 @@ bool EventIntegrator::look_ahead() {
     fail(Status::kStepTooLarge, *why);
     return false;
   }
-  ahead_.event = find_event();
-  ahead_.loss = locate_loss(*model_, step_, ahead_.event ? ahead_.event->theta : 1.0);
-  const auto theta = ahead_.theta();
-  ahead_.end = theta ? std::min(step_.end_time(), step_.time(*theta)) : step_.end_time();
-  ahead_.known = true;
+  stretch_.event = find_event();
+  stretch_.loss = locate_loss(*model_, step_, stretch_.event ? stretch_.event->theta : 1.0);
+  const auto theta = stretch_.theta();
+  stretch_.end = theta ? std::min(step_.end_time(), step_.time(*theta)) : step_.end_time();
+  stretch_.known = true;
   return true;
 }
 
 // Passes the stretch and handles its end.
 void EventIntegrator::pass() {
-  ahead_.known = false;
-  move_to(ahead_.end, ahead_.theta());
-  if (ahead_.loss) return fail_out_of_range();
-  if (ahead_.event) {
-    const std::size_t contact = ahead_.event->contact;
-    if (ahead_.event->rejoins) {
+  stretch_.known = false;
+  move_to(stretch_.end, stretch_.theta());
+  if (stretch_.loss) return fail_out_of_range();
+  if (stretch_.event) {
+    const std::size_t contact = stretch_.event->contact;
+    if (stretch_.event->rejoins) {
       decide_one(contact, Constraint::Velocity::kAny);  // it has a force again, without an impact
     } else if (system_.has_margins(contact)) {
       margin_reached(contact);
@@ -124,7 +124,7 @@ void EventIntegrator::pass() {
   step_.update_tolerances(motion_);
   observer_.update_energy_scale(motion_);
   if (result_.status != Status::kOk) return;
-  if (motion_.t >= ahead_.limit && motion_.t < end_)
+  if (motion_.t >= stretch_.limit && motion_.t < end_)
     arrive_at_break();  // this includes a break within an impact
   observer_.arrive(motion_);
 }
@@ -161,8 +161,8 @@ void EventIntegrator::fail_out_of_range() {
 }
 
 // Finds the first contact that closes, or the first margin that is crossed.
-std::optional<EventIntegrator::Found> EventIntegrator::find_event() {
-  std::optional<Found> first;
+std::optional<EventIntegrator::FoundEvent> EventIntegrator::find_event() {
+  std::optional<FoundEvent> first;
   for (std::size_t k = 0; k < system_.contacts(); ++k) {
     if (!model_->auxiliary[k].contact) continue;
     std::optional<double> theta;
@@ -179,7 +179,7 @@ std::optional<EventIntegrator::Found> EventIntegrator::find_event() {
     } else {
       theta = locate_contact(*model_, k, step_, motion_, system_.state(k).departure);
     }
-    if (theta && (!first || *theta < first->theta)) first = Found{*theta, k, rejoins};
+    if (theta && (!first || *theta < first->theta)) first = FoundEvent{*theta, k, rejoins};
   }
   return first;
 }

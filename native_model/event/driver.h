@@ -38,13 +38,13 @@ class EventIntegrator {
   // computed before it is passed.
   void begin(const State& start, double end, Recorder& recorder);
   // Computes the next stretch. False if there is none: at the end, or because of result().status.
-  bool look_ahead();
-  double now() const { return motion_.t; }           // s
-  double stretch_end() const { return ahead_.end; }  // s
-  bool ends_in_event() const { return ahead_.event.has_value(); }
+  bool compute_stretch();
+  double now() const { return motion_.t; }             // s
+  double stretch_end() const { return stretch_.end; }  // s
+  bool ends_in_event() const { return stretch_.event.has_value(); }
   // The contact whose event ends the stretch; empty if there is none.
   std::optional<std::size_t> event_contact() const {
-    return ahead_.event ? std::optional(ahead_.event->contact) : std::nullopt;
+    return stretch_.event ? std::optional(stretch_.event->contact) : std::nullopt;
   }
   // The states of the contacts at the present time, and within the next stretch.
   const SmoothSystem& system() const { return system_; }
@@ -85,22 +85,22 @@ class EventIntegrator {
   // because the contact is about to come to rest.
   using Closed = ContactList<Constraint::Closed>;
   // An event within the step: a contact that closes, or a margin that is crossed.
-  struct Found {
+  struct FoundEvent {
     double theta;  // fraction of the step
     std::size_t contact;
     bool rejoins = false;  // it was redundant and has a force again
   };
-  // The stretch that look_ahead() has computed.
-  struct Ahead {
+  // The stretch that compute_stretch() has computed.
+  struct NextStretch {
     bool known = false;
     double limit = 0.0, end = 0.0;  // s, limit of the step; end of the stretch
-    std::optional<Found> event{};
+    std::optional<FoundEvent> event{};
     std::optional<double> loss{};  // fraction of the step: rotor or ring leaves its range
     std::optional<double> theta() const {
       return loss ? loss : event ? std::optional(event->theta) : std::nullopt;
     }
   };
-  std::optional<Found> find_event();
+  std::optional<FoundEvent> find_event();
   Closed on_circles() const;
   void begin_on_circles(const Closed& closed);
   void impact(std::size_t contact);
@@ -138,7 +138,7 @@ class EventIntegrator {
   Observer observer_;
   EventImpact impacts_;
 
-  Ahead ahead_;
+  NextStretch stretch_;
   RunEnd result_;
   std::vector<SampledCommand> sampled_;  // one per auxiliary bearing
   double end_ = 0.0;                     // s

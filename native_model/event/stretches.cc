@@ -12,7 +12,7 @@ namespace rotorub {
 template <class Self>
 auto EventIntegrator::moving_members(Self& self) {
   return std::tie(self.motion_, self.schedule_, self.system_, self.step_, self.stiffness_,
-                  self.observer_, self.ahead_, self.result_, self.sampled_, self.end_,
+                  self.observer_, self.stretch_, self.result_, self.sampled_, self.end_,
                   self.force_scale_, self.stalled_, self.last_event_, self.switching_work_until_);
 }
 
@@ -42,13 +42,13 @@ Snapshot EventIntegrator::here() { return observer_.snapshot(motion_.t, motion_.
 
 // The dense output of the step is computed on request, so the loads may jump only after that.
 void EventIntegrator::cut(double t, const std::function<void()>& jump) {
-  if (ahead_.known && t > motion_.t) {
+  if (stretch_.known && t > motion_.t) {
     move_to(t, (t - motion_.t) / step_.length());
     project(system_.rigid_contacts());
     step_.update_tolerances(motion_);
     observer_.update_energy_scale(motion_);
   }
-  ahead_.known = false;
+  stretch_.known = false;
   jump();
   arrive_at_break();
 }

@@ -31,7 +31,7 @@ Arrival advance(const Model& m, const State& start, double end, const EventParam
   Recorder recorder(m, {});
   EventIntegrator run(m, parameters);
   run.begin(start, end, recorder);
-  while (run.look_ahead()) run.pass();
+  while (run.compute_stretch()) run.pass();
   const Snapshot now = run.here();
   Arrival at{run.result().status, run.result().message, {}, run.system().rigid_contacts()};
   at.state.t = run.now();

@@ -29,7 +29,7 @@ MotionRecord record_motion(const Model& model, const State& start, double end,
   record.begin_time = start.t;
   record.start = record.end = state_of(run.here(), model.nq());
   record.first = states_of(run.system());
-  while (run.look_ahead()) {
+  while (run.compute_stretch()) {
     Stretch stretch{run.now(), run.stretch_end() - run.now(), record.end, states_of(run.system())};
     if (const auto contact = run.event_contact()) {
       stretch.jump = Jump{*contact, state_of(run.within(run.stretch_end()), model.nq()), {}, {}};

@@ -70,7 +70,7 @@ PeriodFigures period_figures(const Model& model, const PeriodicMotion& motion,
   run.begin(motion.start, motion.start.t + motion.period, recorder);
   Follower follower(model);
   follower.meet(run.here());
-  while (run.look_ahead()) {
+  while (run.compute_stretch()) {
     const double begin = run.now(), length = run.stretch_end() - begin;
     for (int i = 1; i <= kSamples; ++i) follower.meet(run.within(begin + i * length / kSamples));
     follower.last(run.system(), length);

@@ -208,7 +208,7 @@ SettledMotion settled_motion(const Model& m, const State& start, const SettlingP
     } else {
       run.extend_end(end);
     }
-    while (!check.is_exhausted() && run.look_ahead()) {
+    while (!check.is_exhausted() && run.compute_stretch()) {
       run.pass();
       check.count();
     }

@@ -208,7 +208,7 @@ bool StepwiseRun::advance(double to, bool events) {
   }
   now_.t = to;
   while (integrator_.now() < to) {
-    if (!integrator_.look_ahead()) return false;
+    if (!integrator_.compute_stretch()) return false;
     if (integrator_.stretch_end() > to) return true;
     if (events && integrator_.ends_in_event()) {
       now_.t = integrator_.stretch_end();

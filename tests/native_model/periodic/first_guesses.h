@@ -59,7 +59,7 @@ inline FoundGuess guess_from_run(const Model& m, double duration) {
   Recorder recorder(m, {});
   EventIntegrator run(m, {});
   run.begin(initial_state(m), end, recorder);
-  while (run.look_ahead()) run.pass();
+  while (run.compute_stretch()) run.pass();
   FoundGuess failed;
   failed.status = run.result().status;
   failed.message = run.result().message;
