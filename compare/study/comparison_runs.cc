@@ -63,12 +63,13 @@ std::string cone_refusal(const scene::Scene& scene, bool own) {
          "supports all of them";
 }
 
-std::vector<Contestant> contestants(const scene::Scene& scene, const CompareOptions& options) {
+std::vector<ComparedEngine> compared_engines(const scene::Scene& scene,
+                                             const CompareOptions& options) {
   const scene::ContactModel decides = options.contact;
   const auto mujoco = [&](scene::ContactModel contact) {
     return options.own ? own_engine(options.own, contact) : mujoco_engine(contact);
   };
-  std::vector<Contestant> all;
+  std::vector<ComparedEngine> all;
   all.push_back({"native", native_engine(scene.run.integrator), kNativeWork});
   all.push_back({to_string(decides), mujoco(decides), kMujocoWork});
   const bool has_cones = cone_refusal(scene, options.own != nullptr).empty();
@@ -101,7 +102,7 @@ Trajectory Runner::run(const Engine& engine, RunRequest request, double work,
   return run(scene_, engine, std::move(request), work, what);
 }
 
-Trajectory Runner::timed(const Contestant& who, double end,
+Trajectory Runner::timed(const ComparedEngine& who, double end,
                          std::shared_ptr<const CommandRecord> commands) {
   scene::Scene shorter = scene_;
   shorter.run.end = end;
@@ -121,7 +122,7 @@ Trajectory Runner::run(const scene::Scene& scene, const Engine& engine, RunReque
   return trajectory;
 }
 
-Side Runner::shown(const Contestant& who, RunRequest request) {
+Side Runner::shown(const ComparedEngine& who, RunRequest request) {
   request.output_times = dense_times(scene_.run, options_.rows);
   Side side;
   side.label = who.label;
@@ -132,7 +133,7 @@ Side Runner::shown(const Contestant& who, RunRequest request) {
   return side;
 }
 
-Twins Runner::twins(const Contestant& who, double threshold, TwinParameters parameters) {
+Twins Runner::twins(const ComparedEngine& who, double threshold, TwinParameters parameters) {
   parameters.count = options_.twins;
   parameters.jobs = options_.jobs;
   parameters.interrupt = options_.interrupt;
@@ -150,11 +151,12 @@ ModelError Runner::model_error(const std::vector<FigureSample>& native) {
   return rotorub::model_error(scene_, parameters);
 }
 
-Rung run_rung(Runner& runner, const Contestant& who, std::size_t rung, RunRequest request) {
-  const double part = rung == 1 ? 2.0 : 4.0;
+StepLevel run_level(Runner& runner, const ComparedEngine& who, std::size_t level,
+                    RunRequest request) {
+  const double part = level == 1 ? 2.0 : 4.0;
   request.step = runner.scene().run.step / part;
   const Trajectory t = runner.run(*who.engine, std::move(request), part * who.work,
-                                  who.label + (rung == 1 ? " at half the step" : " at a quarter"));
+                                  who.label + (level == 1 ? " at half the step" : " at a quarter"));
   return {metrics(t, contact_facts(runner.scene())),
           t.status == Status::kOk ? "" : "a run at a smaller step did not end well: " + t.message};
 }
@@ -192,7 +194,7 @@ std::string reason_for_no_limit(StepChange change) {
 
 }  // namespace
 
-bool needs_quarter(const Side& side, const Rung& half, const StepTest& test) {
+bool needs_quarter(const Side& side, const StepLevel& half, const StepTest& test) {
   if (!half.failed.empty()) return false;
   for (std::size_t k = 0; k < figures().size(); ++k) {
     if (!figures()[k].is_judged() || !figures()[k].split) continue;
@@ -203,7 +205,7 @@ bool needs_quarter(const Side& side, const Rung& half, const StepTest& test) {
 
 void set_limits(const Ladder& ladder, const StepTest& test, Side& side) {
   if (side.trajectory.status != Status::kOk) return leave_limits("the run did not end well", side);
-  const Rung &half = ladder[1], &quarter = ladder[2];
+  const StepLevel &half = ladder[1], &quarter = ladder[2];
   if (!half.failed.empty()) return leave_limits(half.failed, side);
   const bool two = !needs_quarter(side, half, test);
   if (!two && !quarter.failed.empty()) return leave_limits(quarter.failed, side);
@@ -262,13 +264,13 @@ double timed_end(const scene::Run& run, const std::vector<const Side*>& sides) {
   return run.end;
 }
 
-void time_runs(Runner& runner, const std::vector<Contestant>& all, int repeats,
+void time_runs(Runner& runner, const std::vector<ComparedEngine>& all, int repeats,
                std::shared_ptr<const CommandRecord> commands) {
   std::vector<const Side*> sides;
-  for (const Contestant& who : all) sides.push_back(who.side);
+  for (const ComparedEngine& who : all) sides.push_back(who.side);
   const double end = timed_end(runner.scene().run, sides);
   for (int pass = 0; pass < repeats; ++pass) {
-    for (const Contestant& who : all) {
+    for (const ComparedEngine& who : all) {
       if (runner.interrupted() || who.side->trajectory.status != Status::kOk) continue;
       const Trajectory t = runner.timed(who, end, who.model ? nullptr : commands);
       if (t.steps > 0 && t.status == Status::kOk) {
@@ -276,7 +278,7 @@ void time_runs(Runner& runner, const std::vector<Contestant>& all, int repeats,
       }
     }
   }
-  for (const Contestant& who : all) finish(*who.side);
+  for (const ComparedEngine& who : all) finish(*who.side);
 }
 
 bool has_commands(const scene::Scene& scene) {

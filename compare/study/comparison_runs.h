@@ -18,20 +18,21 @@
 
 namespace rotorub {
 
-// Rung 0 is the scene's step; rungs 1 and 2 are one half and one quarter of it.
-inline constexpr std::size_t kRungs = 3;
-struct Rung {
+// Level 0 is the scene's step; levels 1 and 2 are one half and one quarter of it.
+inline constexpr std::size_t kStepLevels = 3;
+struct StepLevel {
   Metrics metrics;
   // The reason why there are no metrics; empty if there are.
   std::string failed = "there is no run at a smaller step";
 };
-using Ladder = std::array<Rung, kRungs>;  // [0] is unused, because the side holds its figures
+using Ladder =
+    std::array<StepLevel, kStepLevels>;  // [0] is unused, because the side holds its figures
 
 // Records the actuator's commands over one run; each acts until the next one.
 StepWatch recording(std::shared_ptr<CommandRecord> record);
 
 // One engine of a comparison, and its runs.
-struct Contestant {
+struct ComparedEngine {
   std::string label;
   std::unique_ptr<Engine> engine;
   // Work of one run at the scene's step relative to a native run, for the progress bar.
@@ -39,8 +40,8 @@ struct Contestant {
   bool climbs = true;              // whether it also runs at smaller steps
   Side* side = nullptr;            // its run that is shown
   ComparedModel* model = nullptr;  // null: native
-  // The commands of its run on each rung.
-  std::array<std::shared_ptr<CommandRecord>, kRungs> commands{};
+  // The commands of its run on each level.
+  std::array<std::shared_ptr<CommandRecord>, kStepLevels> commands{};
   Ladder ladder{}, native_ladder{};    // native: driven by the commands of its runs
   std::optional<OnsetWatch> onsets{};  // only in resync
 };
@@ -55,23 +56,24 @@ std::string cone_refusal(const scene::Scene& scene, bool own);
 
 // Native, then MuJoCo with the contact model that decides, then with the other models; without
 // runs.
-std::vector<Contestant> contestants(const scene::Scene& scene, const CompareOptions& options);
+std::vector<ComparedEngine> compared_engines(const scene::Scene& scene,
+                                             const CompareOptions& options);
 
 // Runs engines and counts the work for the progress bar. While a MujocoInPlace exists, several
 // threads may use it at a time.
 class Runner {
  public:
-  // total: all work to come, in the unit of Contestant::work. The arguments must outlive this.
+  // total: all work to come, in the unit of ComparedEngine::work. The arguments must outlive this.
   Runner(const scene::Scene& scene, const CompareOptions& options, double total)
       : scene_(scene), options_(options), total_(total) {}
 
   Trajectory run(const Engine& engine, RunRequest request, double work, const std::string& what);
   // A run with the rows that plots and residuals need, and its figures.
-  Side shown(const Contestant& who, RunRequest request);
+  Side shown(const ComparedEngine& who, RunRequest request);
   // Fills in the values of `parameters` that are common to all comparisons.
-  Twins twins(const Contestant& who, double threshold, TwinParameters parameters);
+  Twins twins(const ComparedEngine& who, double threshold, TwinParameters parameters);
   // A run up to `end` (s) for timing, which records only the last row.
-  Trajectory timed(const Contestant& who, double end,
+  Trajectory timed(const ComparedEngine& who, double end,
                    std::shared_ptr<const CommandRecord> commands);
   // The error from the modes left out. Errors within the twins' spread cannot be resolved.
   ModelError model_error(const std::vector<FigureSample>& native);
@@ -91,8 +93,9 @@ class Runner {
   double done_ = 0.0;  // of total_
 };
 
-// Runs at the rung's fraction of the scene's step, otherwise as requested.
-Rung run_rung(Runner& runner, const Contestant& who, std::size_t rung, RunRequest request);
+// Runs at the level's fraction of the scene's step, otherwise as requested.
+StepLevel run_level(Runner& runner, const ComparedEngine& who, std::size_t level,
+                    RunRequest request);
 
 // Determines whether the change of a figure with the step matters.
 struct StepTest {
@@ -104,7 +107,7 @@ struct StepTest {
 // True if a run at a quarter of the step is worth its time. It is not if the change from the whole
 // to half the step is, for every judged figure, within its scatter, or negligible beside the
 // tolerance or beside the difference between MuJoCo and native.
-bool needs_quarter(const Side& side, const Rung& half, const StepTest& test);
+bool needs_quarter(const Side& side, const StepLevel& half, const StepTest& test);
 // Sets side.limits: the figures at dt, dt/2 and dt/4 and their limits. If dt/4 was not needed, the
 // limits come from the first two.
 void set_limits(const Ladder& ladder, const StepTest& test, Side& side);
@@ -117,7 +120,7 @@ double timed_end(const scene::Run& run, const std::vector<const Side*>& sides);
 
 // Timing runs. The engines take turns, so that a slow phase of the computer affects all of them.
 // commands: for the native side.
-void time_runs(Runner& runner, const std::vector<Contestant>& all, int repeats,
+void time_runs(Runner& runner, const std::vector<ComparedEngine>& all, int repeats,
                std::shared_ptr<const CommandRecord> commands);
 
 // True if a controller of the scene commands its actuator. Without one there is nothing to replay,

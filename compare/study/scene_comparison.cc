@@ -38,11 +38,11 @@ scene::Scene without_control(scene::Scene scene) {
   return scene;
 }
 
-double total_work(const std::vector<Contestant>& all, const CompareOptions& options) {
+double total_work(const std::vector<ComparedEngine>& all, const CompareOptions& options) {
   const bool ladder = options.mode != CompareMode::kResync;
   double total = 1.0 + (ladder ? options.twins : 0);
-  for (const Contestant& c : all) total += c.work * (1.0 + options.timing_repeats);
-  for (const Contestant& c : all) total += ladder ? c.work * (2.0 + 4.0) : 1.0;
+  for (const ComparedEngine& c : all) total += c.work * (1.0 + options.timing_repeats);
+  for (const ComparedEngine& c : all) total += ladder ? c.work * (2.0 + 4.0) : 1.0;
   // In replay each MuJoCo side has its own native run.
   if (options.mode == CompareMode::kReplay) total += 3.0 + 2.0 * (1.0 + 2.0 + 4.0);
   if (options.modes_ladder && ladder) total += kLadderWork;
@@ -61,7 +61,7 @@ class Comparison {
  public:
   Comparison(const scene::Scene& scene, const CompareOptions& options)
       : options_(options),
-        all_(contestants(scene, options)),
+        all_(compared_engines(scene, options)),
         runner_(scene, options, total_work(all_, options)),
         times_(dense_times(scene.run, options.rows)),
         model_(prepare(scene)) {
@@ -75,7 +75,7 @@ class Comparison {
     result_.tolerance = options.tolerance;
     result_.models.resize(all_.size() - 1);
     for (std::size_t k = 0; k < all_.size(); ++k) {
-      Contestant& who = all_[k];
+      ComparedEngine& who = all_[k];
       if (k > 0) who.model = &result_.models[k - 1];
       who.side = who.model ? &who.model->run : &result_.native;
       for (auto& commands : who.commands) commands = std::make_shared<CommandRecord>();
@@ -103,14 +103,15 @@ class Comparison {
   // True if each MuJoCo run has its own native run.
   bool replays() const { return options_.mode == CompareMode::kReplay && result_.commands; }
   bool resyncs() const { return options_.mode == CompareMode::kResync; }
-  const Contestant& native() const { return all_[0]; }
-  const Contestant& decider() const { return all_[1]; }
+  const ComparedEngine& native() const { return all_[0]; }
+  const ComparedEngine& decider() const { return all_[1]; }
   // The native run that a contestant is compared with.
-  Side& native_of(const Contestant& who) {
+  Side& native_of(const ComparedEngine& who) {
     return who.model && who.model->native ? *who.model->native : result_.native;
   }
-  std::shared_ptr<const CommandRecord> commands(const Contestant& who, std::size_t rung = 0) const {
-    return result_.commands ? who.commands[rung] : nullptr;
+  std::shared_ptr<const CommandRecord> commands(const ComparedEngine& who,
+                                                std::size_t level = 0) const {
+    return result_.commands ? who.commands[level] : nullptr;
   }
   // The commands of the deciding model, which drive the native run that is shown; null if nothing
   // is replayed.
@@ -123,7 +124,7 @@ class Comparison {
   // drive.
   void show() {
     in_parallel(all_.size(), options_.jobs, nullptr, {}, [&](std::size_t k) {
-      Contestant& who = all_[k];
+      ComparedEngine& who = all_[k];
       if (!who.model) {
         if (!replays()) *who.side = runner_.shown(who, {});
         return;
@@ -196,7 +197,8 @@ class Comparison {
   void look_closer() {
     result_.twin.threshold = divergence_threshold(result_.scene, result_.native.trajectory);
     if (resyncs()) {
-      for (Contestant& who : all_) leave_limits("resync makes no runs at smaller steps", *who.side);
+      for (ComparedEngine& who : all_)
+        leave_limits("resync makes no runs at smaller steps", *who.side);
       predict_onsets();
     } else {
       run_twins_of_both();
@@ -243,51 +245,51 @@ class Comparison {
     });
   }
 
-  std::vector<Contestant*> slowest_first() {
-    std::vector<Contestant*> order;
-    for (Contestant& who : all_) order.push_back(&who);
+  std::vector<ComparedEngine*> slowest_first() {
+    std::vector<ComparedEngine*> order;
+    for (ComparedEngine& who : all_) order.push_back(&who);
     std::ranges::sort(order, std::greater{},
-                      [](const Contestant* who) { return who->side->trajectory.wall_s; });
+                      [](const ComparedEngine* who) { return who->side->trajectory.wall_s; });
     return order;
   }
 
   // Runs all sides at half the step, then those at a quarter where it matters.
   void run_smaller_steps() {
-    const auto test = [this](const Contestant& who) {
+    const auto test = [this](const ComparedEngine& who) {
       const Side& native = native_of(who);
       return StepTest{native.metrics, options_.tolerance, single_run_intervals(repeats(native))};
     };
-    const auto is_needed = [&](const Contestant& who, std::size_t rung) {
+    const auto is_needed = [&](const ComparedEngine& who, std::size_t level) {
       if (!who.climbs || (replays() && !who.model)) return false;
       if (who.side->trajectory.status != Status::kOk) return false;
-      if (rung == 1) return true;
+      if (level == 1) return true;
       return needs_quarter(*who.side, who.ladder[1], test(who)) ||
              (replays() && needs_quarter(native_of(who), who.native_ladder[1], test(who)));
     };
-    const std::vector<Contestant*> order = slowest_first();
-    for (std::size_t rung = 1; rung < kRungs; ++rung) {
+    const std::vector<ComparedEngine*> order = slowest_first();
+    for (std::size_t level = 1; level < kStepLevels; ++level) {
       in_parallel(order.size(), options_.jobs, options_.interrupt, {}, [&](std::size_t job) {
-        Contestant& who = *order[job];
-        if (!is_needed(who, rung)) return;
+        ComparedEngine& who = *order[job];
+        if (!is_needed(who, level)) return;
         RunRequest request;
         request.output_times = times_;
-        if (replays()) request.watch = recording(who.commands[rung]);
-        who.ladder[rung] = run_rung(runner_, who, rung, request);
+        if (replays()) request.watch = recording(who.commands[level]);
+        who.ladder[level] = run_level(runner_, who, level, request);
         if (!replays() || native_of(who).trajectory.status != Status::kOk) return;
         // Driven by the commands of its own MuJoCo run at that step.
         request.watch = {};
-        request.commands = commands(who, rung);
-        who.native_ladder[rung] = run_rung(runner_, native(), rung, request);
+        request.commands = commands(who, level);
+        who.native_ladder[level] = run_level(runner_, native(), level, request);
       });
     }
     if (runner_.interrupted()) return;
-    const auto climbed = [&](const Contestant& who, const Ladder& ladder, Side& side) {
+    const auto climbed = [&](const ComparedEngine& who, const Ladder& ladder, Side& side) {
       if (!who.climbs) return leave_limits("it was run only at the scene's step", side);
       if (who.side->trajectory.status != Status::kOk)
         return leave_limits("the run did not end well", side);
       set_limits(ladder, test(who), side);
     };
-    for (const Contestant& who : all_) {
+    for (const ComparedEngine& who : all_) {
       if (replays() && !who.model) continue;
       climbed(who, who.ladder, *who.side);
       if (replays()) climbed(who, who.native_ladder, native_of(who));
@@ -295,7 +297,7 @@ class Comparison {
   }
 
   void predict_onsets() {
-    for (Contestant& who : all_) {
+    for (ComparedEngine& who : all_) {
       if (!who.model || runner_.interrupted()) continue;
       const Trajectory& mujoco = who.side->trajectory;
       auto predicted = predict(
@@ -349,7 +351,7 @@ class Comparison {
 
   const CompareOptions& options_;
   SceneComparison result_;
-  std::vector<Contestant> all_;
+  std::vector<ComparedEngine> all_;
   Runner runner_;
   std::vector<double> times_;
   Model model_;

@@ -58,7 +58,7 @@ TEST(TimedEnd, HasTenThousandStepsOrAll) {
 struct Climbed {
   Metrics native;
   Side side;
-  Rung half{{}, ""};
+  StepLevel half{{}, ""};
   StepTest test;
   Climbed(double whole, double at_half, double scatter)
       : native(metrics_of(100.0)), test{native, 0.01, std::vector(figures().size(), scatter)} {
