@@ -108,7 +108,7 @@ std::optional<MeasuredRun> laid_in(const MeasuredInput& measured, const scene::S
   if (!measured.record || trajectory.status == Status::kInterrupted) return std::nullopt;
   const std::string label = is_native(options) ? "native" : trajectory.contact_model;
   return with_record(measured, [&] {
-    return lay_in(*measured.record, measured.alignment, scene, {{label, &trajectory}});
+    return align_record(*measured.record, measured.alignment, scene, {{label, &trajectory}});
   });
 }
 

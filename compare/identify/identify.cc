@@ -237,7 +237,7 @@ Result identify(const ReadScene& read, MeasuredRecord record, const Parameters& 
         "be "
         "another one or chaotic; to fit it anyway, give the shift with --measured-shift");
   }
-  residuals.lay_in(everywhere.best);
+  residuals.align_record(everywhere.best);
   result.samples = residuals.samples();
   std::vector<double> start = everywhere.best;
   start.resize(residuals.unknowns(), 0.5);

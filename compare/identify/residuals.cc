@@ -62,7 +62,7 @@ std::optional<Alignment> Residuals::aligned(const std::vector<double>& values) {
   }
 }
 
-void Residuals::lay_in(const std::vector<double>& values) {
+void Residuals::align_record(const std::vector<double>& values) {
   const scene::Scene scene = read_(overrides(values));
   const Trajectory run = even_run(scene);
   const SampledRun sampled(run);

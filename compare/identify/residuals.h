@@ -17,7 +17,8 @@ class Residuals {
   Residuals(const ReadScene& read, MeasuredRecord record, const Parameters& parameters);
 
   // Unknowns in [0, 1]: the position of each value in its range, logarithmic if the range spans a
-  // decade or more; and after lay_in() the position of the shift in its range, unless it is given.
+  // decade or more; and after align_record() the position of the shift in its range, unless it is
+  // given.
   std::size_t values() const { return wanted_.size(); }
   std::size_t unknowns() const { return wanted_.size() + (options_.shift ? 0 : 1); }
 
@@ -26,7 +27,7 @@ class Residuals {
   std::optional<Alignment> aligned(const std::vector<double>& values);
   // Restricts the shift to a range around the one for these values. Throws MeasuredError if the
   // record does not fit their run.
-  void lay_in(const std::vector<double>& values);
+  void align_record(const std::vector<double>& values);
   double value(std::size_t k, double x) const;       // SI
   double slope(std::size_t k, double x) const;       // d value / dx
   double shift(const std::vector<double>& x) const;  // s

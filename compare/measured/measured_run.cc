@@ -218,8 +218,8 @@ class LayingIn {
 
 }  // namespace
 
-MeasuredRun lay_in(MeasuredRecord record, const AlignmentOptions& options,
-                   const scene::Scene& scene, const std::vector<RunToHold>& runs) {
+MeasuredRun align_record(MeasuredRecord record, const AlignmentOptions& options,
+                         const scene::Scene& scene, const std::vector<RunToHold>& runs) {
   return LayingIn(std::move(record), scene).beside(runs, options);
 }
 

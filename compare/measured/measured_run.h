@@ -66,7 +66,7 @@ struct RunToHold {
 
 // runs: native first; runs with fewer than two rows are ignored. record: as it was read. Throws
 // MeasuredError like align().
-MeasuredRun lay_in(MeasuredRecord record, const AlignmentOptions& options,
-                   const scene::Scene& scene, const std::vector<RunToHold>& runs);
+MeasuredRun align_record(MeasuredRecord record, const AlignmentOptions& options,
+                         const scene::Scene& scene, const std::vector<RunToHold>& runs);
 
 }  // namespace rotorub

@@ -156,7 +156,7 @@ class Comparison {
     std::vector<RunToHold> runs;
     for (const Side* side : result_.sides()) runs.push_back({side->label, &side->trajectory});
     try {
-      result_.measured = lay_in(*options_.measured, options_.alignment, result_.scene, runs);
+      result_.measured = align_record(*options_.measured, options_.alignment, result_.scene, runs);
     } catch (const MeasuredError&) {
       // If the run did not reach its end, its own status is reported instead.
       if (result_.native.trajectory.status == Status::kOk) throw;

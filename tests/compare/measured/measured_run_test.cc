@@ -39,7 +39,8 @@ TEST(MeasuredRun, ARunsOwnSeriesLeavesNothing) {
   const Trajectory run = run_event(scene);
   const TemporaryFolder folder;
   write_series(run, folder / "series.csv");
-  const MeasuredRun m = lay_in(read_measured(folder / "series.csv"), {}, scene, {{"native", &run}});
+  const MeasuredRun m =
+      align_record(read_measured(folder / "series.csv"), {}, scene, {{"native", &run}});
   EXPECT_NEAR(m.alignment.shift, 0.0, 1e-12);
   EXPECT_NEAR(m.alignment.angle, 0.0, 1e-12);
   ASSERT_GE(m.columns.size(), 6u);
@@ -77,8 +78,8 @@ TEST(MeasuredRun, FiguresAreThoseOfTheMotion) {
                         1e6 * kRadius * std::sin(w * t), k == 70 ? 2.0 : 300.0);
   }
   const scene::Scene scene = short_rig();  // clearance 0.5 mm
-  const MeasuredRun m = lay_in(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = 0.0}, scene,
-                               {{"native", &run}});
+  const MeasuredRun m = align_record(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = 0.0},
+                                     scene, {{"native", &run}});
 
   EXPECT_EQ(figure_of(m, "rotor_frequency").bound, Bound::kNone);
   for (const double f :
@@ -111,8 +112,8 @@ TEST(MeasuredRun, AnAxisAloneHasItsRms) {
   for (int k = 0; k < 1600; ++k)
     text += fmt::format("{},{}\n", 5e-5 * k,
                         100.0 * std::sin(2.0 * std::numbers::pi * 50.0 * 5e-5 * k));
-  const MeasuredRun m = lay_in(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = {}},
-                               short_rig(), {{"native", &run}});
+  const MeasuredRun m = align_record(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = {}},
+                                     short_rig(), {{"native", &run}});
   ASSERT_EQ(m.figures.size(), 1u);
   EXPECT_NEAR(figure_of(m, "rotor_x_rms").measured, 100e-6 / std::sqrt(2.0), 1e-9)
       << "four whole turns, whatever the zero";
@@ -131,8 +132,8 @@ TEST(MeasuredRun, AClippedForceIsABound) {
   for (int k = 0; k < 1900; ++k)
     text += fmt::format("{:.17g},{:.17g}\n", 5e-5 * (k + 1), std::min(40.0, force(5e-5 * (k + 1))));
   const scene::Scene scene = short_rig();
-  const MeasuredRun m =
-      lay_in(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = {}}, scene, {{"native", &run}});
+  const MeasuredRun m = align_record(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = {}},
+                                     scene, {{"native", &run}});
   EXPECT_GT(column_of(m, "force").clipped, 100u);
   for (const char* key : {"mean_force", "peak_force"}) {
     EXPECT_EQ(figure_of(m, key).bound, Bound::kAtLeast) << key;
@@ -161,7 +162,7 @@ TEST(MeasuredRun, AForceIsAveragedOverItsSample) {
   for (int k = 0; k < 900; ++k)
     text += fmt::format("{:.17g},{}\n", 5.0 + 0.1 * k, k == 450 ? 203.0 : 3.0);
   const scene::Scene scene = short_rig();
-  const MeasuredRun m = lay_in(parse_measured(text, "m.csv"), {}, scene, {{"native", &run}});
+  const MeasuredRun m = align_record(parse_measured(text, "m.csv"), {}, scene, {{"native", &run}});
   EXPECT_EQ(m.alignment.by, std::vector<std::string>{"force"});
   ASSERT_EQ(m.forces.size(), 1u);
   const MeasuredFigure& peak = figure_of(m, "peak_force");
@@ -193,7 +194,7 @@ TEST(MeasuredRun, HoldsEveryRunAtTheSameSamples) {
   for (int k = 0; k <= 10000; ++k) rows.push_back(k * 1e-5);
   const Trajectory seen = run_at(scene, instants(sensors)), native = run_at(scene, rows);
   const MeasuredRun m =
-      lay_in(record_of(seen, sensors), {}, scene, {{"native", &native}, {"again", &native}});
+      align_record(record_of(seen, sensors), {}, scene, {{"native", &native}, {"again", &native}});
   EXPECT_EQ(m.labels, (std::vector<std::string>{"native", "again"}));
   for (const ColumnFit& c : m.columns) {
     // rms of n normal numbers: within 5 / sqrt(2 n) of their deviation, and what the fit is off by
@@ -217,7 +218,7 @@ TEST(MeasuredRun, SaysWhatItLeavesOut) {
     text += fmt::format("{:.17g},{},1\n", 1e3 * run.column("t")[i],
                         i % 7 == 0 ? "" : fmt::format("{:.17g}", 1e6 * run.column("gap")[i]));
   }
-  const MeasuredRun m = lay_in(parse_measured(text, "m.csv"), {}, scene, {{"native", &run}});
+  const MeasuredRun m = align_record(parse_measured(text, "m.csv"), {}, scene, {{"native", &run}});
   ASSERT_EQ(m.columns.size(), 1u);
   EXPECT_GT(m.columns.front().missing, run.rows() / 8);
   EXPECT_LT(m.columns.front().runs.front().share.value(), 1e-9);
@@ -227,7 +228,7 @@ TEST(MeasuredRun, SaysWhatItLeavesOut) {
 
   std::string nothing = "t [ms], current_1 [A]\n";
   for (int k = 0; k < 20; ++k) nothing += fmt::format("{},1\n", k);
-  EXPECT_THROW(lay_in(parse_measured(nothing, "m.csv"), {}, scene, {{"native", &run}}),
+  EXPECT_THROW(align_record(parse_measured(nothing, "m.csv"), {}, scene, {{"native", &run}}),
                MeasuredError);
 }
 
@@ -239,8 +240,8 @@ TEST(MeasuredRun, AFrequencyNeedsASampleRate) {
   for (int k = 0; k < 80; ++k)
     text += fmt::format("{},{},{}\n", 2.0 * k, 100.0 * std::cos(w * 2e-3 * k),
                         100.0 * std::sin(w * 2e-3 * k));
-  const MeasuredRun m = lay_in(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = 0.0},
-                               short_rig(), {{"native", &run}});
+  const MeasuredRun m = align_record(parse_measured(text, "m.csv"), {.shift = 0.0, .angle = 0.0},
+                                     short_rig(), {{"native", &run}});
   EXPECT_THROW(figure_of(m, "rotor_frequency"), std::out_of_range);
   EXPECT_NE(m.remarks.back().find("sample rate"), std::string::npos) << m.remarks.back();
 }
@@ -266,8 +267,8 @@ TEST(MeasuredRun, KeysAreDocumented) {
   const scene::Scene scene = short_rig();
   const Trajectory run = run_event(scene);
   const Sensors sensors{.to = 0.09, .rate = 1e4};
-  const MeasuredRun m =
-      lay_in(record_of(run_at(scene, instants(sensors)), sensors), {}, scene, {{"native", &run}});
+  const MeasuredRun m = align_record(record_of(run_at(scene, instants(sensors)), sensors), {},
+                                     scene, {{"native", &run}});
   std::set<std::string> found, documented;
   collect_keys(result::json_of(measured_section(m)), "", found);
   for (const ColumnMeaning& key : measured_keys()) documented.insert(std::string(key.name));

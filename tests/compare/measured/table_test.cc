@@ -17,7 +17,7 @@ TEST(MeasuredTable, KeepsItsColumnsApart) {
     runs.push_back({label, &run});
   const Sensors sensors{.to = 0.09, .noise = 1e-6};
   const std::string text =
-      result::text_of(measured_section(lay_in(record_of(run, sensors), {}, scene, runs)));
+      result::text_of(measured_section(align_record(record_of(run, sensors), {}, scene, runs)));
   EXPECT_LE(widest_line(text), 80u);
   EXPECT_NE(text.find("measured  native   rigid coulomb    cone  cone-c\n"), std::string::npos)
       << text;
@@ -35,7 +35,7 @@ TEST(MeasuredTable, AnOffsetIsNoResidual) {
                                                     : 0.0;
     for (double& value : c.value) value += zero;
   }
-  const MeasuredRun m = lay_in(record, {}, scene, {{"native", &run}});
+  const MeasuredRun m = align_record(record, {}, scene, {{"native", &run}});
   const ColumnResidual& x = m.columns.front().runs.front();
   EXPECT_NEAR(x.offset, 76.2e-6, 1e-9);
   EXPECT_LT(x.rms, 1e-9);

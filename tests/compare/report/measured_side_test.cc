@@ -11,7 +11,7 @@
 namespace rotorub {
 namespace {
 
-// lay_in() leaves out runs with fewer than two rows, here "rigid".
+// align_record() leaves out runs with fewer than two rows, here "rigid".
 TEST(MeasuredSide, EachForceBelongsToTheRunOfItsLabel) {
   MeasuredRun measured;
   measured.laid.t = {0.0, 1e-3, 2e-3};
