@@ -23,11 +23,11 @@ FigureSample figure_sample(const Figure& figure, const Metrics& run,
 // One for each figure, in the order of figures().
 std::vector<FigureSample> figure_samples(const Metrics& run, std::span<const Metrics> twins);
 
-// half: half of the 95 % confidence interval of the difference of the means. least_told: the
+// half: half of the 95 % confidence interval of the difference of the means. least_detectable: the
 // smallest difference that 4 of 5 such comparisons would detect (80 % power). SI (Welch, Biometrika
 // 34, 1947). A side with one run is assumed to scatter like the other side.
 struct Interval {
-  double half = 0.0, least_told = 0.0;
+  double half = 0.0, least_detectable = 0.0;
 };
 Interval interval(const FigureSample& a, const FigureSample& b);
 

@@ -69,7 +69,7 @@ std::string what_it_did(const SceneComparison& c, Trust trust) {
 // share: of the error in the figure, empty if it is unknown.
 void take(LargestError& largest, const JudgedFigure& of, std::optional<double> share) {
   if (!share) {
-    if (of.figure->split) ++largest.untold;
+    if (of.figure->split) ++largest.unknown;
     if (of.verdict == FigureVerdict::kOutside) largest.outside.push_back(of.figure);
   } else if (!largest.figure || std::abs(*share) > std::abs(largest.share)) {
     largest.figure = of.figure;
@@ -180,13 +180,13 @@ std::string mode_note(const SceneComparison& c) {
 std::string error_text(const LargestError& error) {
   std::vector<std::string> failing;
   for (const Figure* f : error.outside) failing.emplace_back(f->label);
-  const std::string untold =
+  const std::string unknown =
       failing.empty() ? "" : fmt::format("not known for {}", fmt::join(failing, ", "));
-  if (!error.figure) return untold.empty() ? "not known" : untold;
+  if (!error.figure) return unknown.empty() ? "not known" : unknown;
   std::string text = fmt::format("{} {}", deviation_text(*error.figure, error.native, error.share),
                                  error.figure->label);
-  if (!untold.empty()) return text + "; " + untold;
-  return error.untold == 0 ? text : text + fmt::format(" ({} more not known)", error.untold);
+  if (!unknown.empty()) return text + "; " + unknown;
+  return error.unknown == 0 ? text : text + fmt::format(" ({} more not known)", error.unknown);
 }
 
 ThreeErrors three_errors(const SceneComparison& c, const ComparedModel& m) {

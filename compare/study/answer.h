@@ -63,7 +63,7 @@ struct LargestError {
   const Figure* figure = nullptr;  // null: unknown for every figure
   double share = 0.0;   // relative to the native value, signed (points: the value itself)
   double native = 0.0;  // SI, that value
-  int untold = 0;       // number of judged figures of the runs for which it is unknown
+  int unknown = 0;      // number of judged figures of the runs for which it is unknown
   // The figures outside the tolerance for which it is unknown, those without a split included.
   std::vector<const Figure*> outside;
 };

@@ -37,7 +37,7 @@ json difference_json(const FigureDifference& f) {
   json all = judged_json(f, "other");
   all.update({{"twin_deviation", f.floor},
               {"interval", f.interval},
-              {"least_told", f.least_told},
+              {"least_told", f.least_detectable},
               {"replay_floor", f.replay_floor},
               {"judged", f.figure->is_judged()}});
   if (f.figure->is_judged()) {
@@ -191,7 +191,7 @@ std::vector<Part> interval_parts(const SceneComparison& c) {
       });
     };
     add(fmt::format("± {}", f.label), &FigureDifference::interval);
-    add("  would be detected", &FigureDifference::least_told);
+    add("  would be detected", &FigureDifference::least_detectable);
   }
   if (table.rows.empty()) return {};
   const auto runs = [](int twins) {

@@ -59,7 +59,7 @@ JudgedFigure judged(const Figure& figure, const FigureSample& native, const Figu
   if (f.is_absent()) f.deviation = f.difference = 0.0;
   const Interval c = interval(native, other);
   f.interval = std::max(native.replay_floor, share_of(figure, native.mean, c.half));
-  f.least_told = std::max(f.interval, share_of(figure, native.mean, c.least_told));
+  f.least_detectable = std::max(f.interval, share_of(figure, native.mean, c.least_detectable));
   const bool nothing = native.mean == 0.0 && other.mean == 0.0;
   if (!figure.is_judged() || f.is_absent() || nothing) return f;
   const double d = std::abs(f.deviation);
@@ -70,7 +70,7 @@ JudgedFigure judged(const Figure& figure, const FigureSample& native, const Figu
   if (figure.scale == Scale::kCount && f.verdict == FigureVerdict::kOutside &&
       std::abs(other.mean - native.mean) <= 1.0) {
     f.verdict = FigureVerdict::kUndecidable;
-    f.least_told = std::max(f.least_told, share_of(figure, native.mean, 2.0));
+    f.least_detectable = std::max(f.least_detectable, share_of(figure, native.mean, 2.0));
   }
   return f;
 }
@@ -183,7 +183,7 @@ std::string detectable_text(const JudgedFigure& f) {
   const bool count = f.figure->scale == Scale::kCount;
   if (count && f.interval == 0.0 && std::abs(f.difference) <= 1.0)
     return "a difference of one cannot be judged";
-  return fmt::format("{}{} would be detected", size_text(f, f.least_told),
+  return fmt::format("{}{} would be detected", size_text(f, f.least_detectable),
                      count && f.is_in_units() ? " more or fewer" : "");
 }
 

@@ -33,7 +33,7 @@ struct JudgedFigure {
   double interval = 0.0;             // c, on the same scale, >= 0
   // The smallest deviation that this number of twins can resolve (figure_sample.h), at least c,
   // because a drift without scatter hides a deviation too.
-  double least_told = 0.0;
+  double least_detectable = 0.0;
   double native_mean = 0.0;  // SI, the value that a share is relative to
   double difference = 0.0;   // SI, of the means; 0 if a value is absent
   FigureVerdict verdict = FigureVerdict::kNotJudged;

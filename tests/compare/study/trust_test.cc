@@ -124,7 +124,8 @@ TEST(FigureSample, TheIntervalIsWelchs) {
   EXPECT_NEAR(interval(of(21), FigureSample{}).half, 2.0860 * std::sqrt(1.0 / 21.0 + 1.0), 1e-3);
   EXPECT_EQ(interval(FigureSample{}, FigureSample{}).half, 0.0);
   // t of 0.8 and 32 degrees of freedom: 0.853.
-  EXPECT_NEAR(interval(of(17), of(17)).least_told, (2.0369 + 0.8530) * std::sqrt(2.0 / 17.0), 1e-3);
+  EXPECT_NEAR(interval(of(17), of(17)).least_detectable, (2.0369 + 0.8530) * std::sqrt(2.0 / 17.0),
+              1e-3);
 }
 
 TEST(FigureSample, OfEqualRunsIsTheRun) {
@@ -276,7 +277,7 @@ TEST(ThreeErrors, SayWhatCannotBeTold) {
   SceneComparison c = made_by_hand();
   c.models[0].figures.push_back(c.models[0].figures[0]);
   c.models[0].figures[0].split.valid = false;
-  EXPECT_EQ(three_errors(c, c.models[0]).contact.untold, 1);
+  EXPECT_EQ(three_errors(c, c.models[0]).contact.unknown, 1);
   EXPECT_NE(three_errors(c, c.models[0]).contact.figure, nullptr);
   c.models[0].figures[1].split.valid = false;
   EXPECT_EQ(three_errors(c, c.models[0]).contact.figure, nullptr);
@@ -290,8 +291,8 @@ TEST(ThreeErrors, LeaveOutWhatTheSceneHasNot) {
   FigureDifference missing;
   missing.figure = &figure("near_miss");
   c.models[0].figures.push_back(missing);
-  EXPECT_EQ(three_errors(c, c.models[0]).contact.untold, 0);
-  EXPECT_EQ(three_errors(c, c.models[0]).step.untold, 0);
+  EXPECT_EQ(three_errors(c, c.models[0]).contact.unknown, 0);
+  EXPECT_EQ(three_errors(c, c.models[0]).step.unknown, 0);
 }
 
 TEST(ThreeErrors, HaveTheModesOfTheLadder) {
@@ -306,7 +307,7 @@ TEST(ThreeErrors, HaveTheModesOfTheLadder) {
   const ThreeErrors errors = three_errors(c, c.models[0]);
   ASSERT_TRUE(errors.modes.has_value());
   EXPECT_DOUBLE_EQ(errors.modes->share, -0.12);
-  EXPECT_EQ(errors.modes->untold, 1);
+  EXPECT_EQ(errors.modes->unknown, 1);
 }
 
 // The reasons of a verdict, on runs made by hand.

@@ -149,7 +149,7 @@ TEST(VerdictCasesLong, TwinsOnBothSidesTellTheDifference) {
   EXPECT_EQ(c.decider_twins, 6);
   double widest = 0.0;
   for (const FigureDifference& f : c.models[0].figures) {
-    EXPECT_GE(f.least_told, f.interval);
+    EXPECT_GE(f.least_detectable, f.interval);
     if (f.figure->is_judged()) widest = std::max(widest, f.interval);
   }
   EXPECT_GT(widest, 0.001);
