@@ -46,7 +46,7 @@ std::string of_bearing(const StationFeedback& bearing, const std::string& name) 
 
 }  // namespace
 
-struct StepwiseRun::Saved {
+struct StepwiseRun::SavedState {
   std::shared_ptr<const EventIntegrator::Moving> moving;
   Recorder recorder;
   Now now;
@@ -248,12 +248,12 @@ void StepwiseRun::put(const Snapshot& at) {
   now_.values.push_back(now_.impacts);
 }
 
-std::shared_ptr<const StepwiseRun::Saved> StepwiseRun::save() const {
-  return std::make_shared<const Saved>(Saved{integrator_.save(), recorder_, now_});
+std::shared_ptr<const StepwiseRun::SavedState> StepwiseRun::save() const {
+  return std::make_shared<const SavedState>(SavedState{integrator_.save(), recorder_, now_});
 }
 
 // The integrator's observer keeps writing to the same recorder.
-void StepwiseRun::restore(const Saved& saved) {
+void StepwiseRun::restore(const SavedState& saved) {
   now_.given = saved.now.in_effect;
   apply_inputs();
   integrator_.restore(*saved.moving);

@@ -52,10 +52,10 @@ class StepwiseRun {
   Status status() const { return integrator_.result().status; }
   const std::string& message() const { return integrator_.result().message; }
 
-  // The whole state of the run, valid for this run only. A Saved may outlive the run.
-  struct Saved;
-  std::shared_ptr<const Saved> save() const;
-  void restore(const Saved& saved);
+  // The whole state of the run, valid for this run only. A SavedState may outlive the run.
+  struct SavedState;
+  std::shared_ptr<const SavedState> save() const;
+  void restore(const SavedState& saved);
 
  private:
   Model model_with_inputs(const scene::Scene& scene);

@@ -44,7 +44,7 @@ bool same_names(const std::vector<StepwiseRun::Port>& a, const std::vector<Stepw
 
 struct Instance::Kept {
   std::shared_ptr<Plant> plant;
-  std::shared_ptr<const StepwiseRun::Saved> state;
+  std::shared_ptr<const StepwiseRun::SavedState> state;
 };
 
 Instance::Instance(const std::filesystem::path& resources, const std::string& token, Log log)
