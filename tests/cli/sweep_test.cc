@@ -62,14 +62,8 @@ TEST(Sweep, KeepsABifurcationDiagram) {
   EXPECT_EQ(diagram.at("down")[0].at("value"), 0.2);
   EXPECT_EQ(diagram.at("up")[1].at("continued"), true);
   EXPECT_EQ(diagram.at("up")[1].at("period"), 1) << "an annular rub in step with its force";
-<<<<<<< HEAD
-  EXPECT_TRUE(contains(folder.text("out/sweep.html"), "\"bifurcation\":{"));
-||||||| b9acf3e9
-  EXPECT_TRUE(contains(folder.text("out/sweep.html"), "\"bifurcation\":{\"down\":"));
-=======
   EXPECT_TRUE(
       contains(folder.text("out/sweep.html"), "\"bifurcation\":{\"branches\":null,\"down\":"));
->>>>>>> ca5712551564abe5cb37b3d7d1fbe98d6f52a0a6
 }
 
 TEST(Sweep, DrawsBranchesInItsBifurcationDiagram) {
