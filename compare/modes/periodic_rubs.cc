@@ -46,6 +46,26 @@ std::string ending_of(const Model& m, const periodic::SettledMotion& settled) {
   return fmt::format("; at the end: {}, whirl {:.4g} rad/s{}", rub.kind, f.whirl, force);
 }
 
+// The free orbit, which runs may miss because they rub; empty if it touches a ring or there is
+// none.
+std::optional<State> free_orbit(const scene::Scene& scene) {
+  scene::Scene free = scene;
+  const double angle = scene.initial.spin_angle;
+  free.initial = {};
+  free.initial.spin_angle = angle;
+  free.initial.steady = true;
+  for (scene::AuxiliaryBearing& at : free.auxiliary) {
+    if (!at.stator) continue;
+    at.stator->position.setZero();
+    at.stator->velocity.setZero();
+  }
+  try {
+    return initial_state(prepare(free));
+  } catch (const scene::SceneError&) {
+    return std::nullopt;
+  }
+}
+
 // Each sample ends a stretch, which is then shorter and cheaper than others.
 constexpr int kMoreForSamples = 4;
 
@@ -80,8 +100,11 @@ PeriodicRubs lasting_rubs_by_shooting(const scene::Scene& scene, const ShootingO
     parameters.most_periods = options.most_periods;
     all.refused = periodic::forcing_of(m).refusal;
     if (!all.refused.empty()) return all;
-    const std::vector<rub::NamedStart> starts = rub::starts_near_rubs(scene, m);
+    std::vector<rub::NamedStart> starts = rub::starts_near_rubs(scene, m);
     parameters.most_stretches = options.most_stretches / static_cast<std::int64_t>(starts.size());
+    if (periodic::forcing_of(m).period > 0.0) {
+      if (auto orbit = free_orbit(scene)) starts.push_back({"the free orbit", std::move(*orbit)});
+    }
     if (!m.samplers.empty()) parameters.most_stretches *= kMoreForSamples;
     for (const rub::NamedStart& start : starts) {
       periodic::SettledMotion settled = periodic::settled_motion(m, start.state, parameters);

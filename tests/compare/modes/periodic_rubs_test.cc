@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -135,6 +136,17 @@ TEST(PeriodicRubs, ABounceAndItsSubHarmonic) {
         result::text_of({.parts = {periodic_rubs_result({{""}, {found}, {}, "", ""})}});
     EXPECT_EQ(text.find("bouncing, sub-harmonic 1/2") != std::string::npos, order == 2) << text;
   }
+}
+
+// A start that rubs does not lead to it.
+TEST(PeriodicRubs, TheFreeOrbitIsListedBesideTheRub) {
+  const scene::Scene scene =
+      test::shipped("bench_annular_elastic", {"force[0].frequency=125 Hz", "rotor.speed=125 Hz"});
+  const PeriodicRubs all = lasting_rubs_by_shooting(scene);
+  const auto free = std::ranges::find(all.rubs, "no contact", &PeriodicRub::kind);
+  ASSERT_NE(free, all.rubs.end());
+  EXPECT_NE(std::ranges::find(free->starts, "the free orbit"), free->starts.end());
+  EXPECT_TRUE(free->settled.motion.stable);
 }
 
 // One motion is listed once, although its largest force is sampled at other instants.
