@@ -35,6 +35,7 @@ function launch({webgl = true} = {}) {
 // is still under way would move the page between a look and a click.
 async function open(browser, file, {width = 1200, height = 1000, colorScheme = 'light', folded = false} = {}) {
   const page = await browser.newPage({viewport: {width, height}, colorScheme, reducedMotion: 'reduce'});
+  page.setDefaultTimeout(120000);  // a busy machine takes half a minute to draw a large page
   page.said = [];
   page.on('console', (message) => page.said.push(`${message.type()}: ${message.text()}`));
   page.on('pageerror', (error) => page.said.push(`error: ${error.stack}`));
