@@ -276,7 +276,7 @@ class Event:
             # Without rows, as the other solvers have no output either; statistics of contact still need dense output.
             counts, rare = folder / "callgrind.out", f"run.output_step={self.scene['run']['end']}"
             output(["valgrind", "--tool=callgrind", f"--callgrind-out-file={counts}", *run, "--set", rare])
-            self.evaluations = calls(counts.read_text(), "rotorub::Phase::derivative")
+            self.evaluations = calls(counts.read_text(), "rotorub::SmoothSystem::derivative")
 
     def points(self, tolerances):
         """For each tolerance the steps and the largest error in m, against `event` at 1e-13."""
