@@ -145,6 +145,7 @@ TEST(PumpMap, TwoHundredRandomStartsEndOnItNightly) {
   EXPECT_GE(found.listed + found.free + found.rolling, 198);
   EXPECT_GE(found.listed, 130);
   EXPECT_LE(found.rolling, 20);
+  printf("%d on a branch, %d free, %d rolling\n", found.listed, found.free, found.rolling);
   for (const auto& [why, count] : found.others) printf("not listed: %d, %s\n", count, why.c_str());
 }
 
