@@ -59,10 +59,9 @@ State random_start(const Model& m, bool pressed, std::mt19937& random) {
   return state;
 }
 
-// free: without contact, which is no rub. rolling: backward, which has no period beside the
-// unbalance.
+// rolling: backward, which has no period beside the unbalance.
 struct Endings {
-  int listed = 0, free = 0, rolling = 0, all = 0;
+  int listed = 0, rolling = 0, all = 0;
   std::map<std::string, int> others;
 };
 
@@ -107,8 +106,6 @@ Endings endings(const scene::Variants& scenes, const RubBranches& map, int start
     });
     if (is_listed) {
       ++found.listed;
-    } else if (rub.kind == "no contact") {
-      ++found.free;
     } else {
       ++found.others[fmt::format("{:.1f} Hz, friction {:.4f}: {}, {} periods, {:.6g} N",
                                  up / (2.0 * std::numbers::pi), friction, rub.kind,
@@ -136,16 +133,16 @@ TEST(PumpMap, RandomStartsEndOnIt) {
   for (const auto& [why, count] : found.others) ADD_FAILURE() << count << ": " << why;
 }
 
-// 137 starts end on a branch, 49 on the free orbit, which does not touch at 45 Hz, and 14 roll.
+// 186 starts end on a branch (at 45 Hz that of the free orbit, which does not touch), and 14 roll.
 TEST(PumpMap, TwoHundredRandomStartsEndOnItNightly) {
   const scene::Variants scenes = pump(3);
   const RubBranches map = rub_branches(scenes, axis(kFrictionKey, "", 0.05, 0.3, 4),
                                        axis(kSpeedKey, "rad/s", 45.0 * kHertz, 75.0 * kHertz, 4));
   const Endings found = endings(scenes, map, 200);
-  EXPECT_GE(found.listed + found.free + found.rolling, 198);
-  EXPECT_GE(found.listed, 130);
+  EXPECT_GE(found.listed + found.rolling, 198);
+  EXPECT_GE(found.listed, 180);
   EXPECT_LE(found.rolling, 20);
-  printf("%d on a branch, %d free, %d rolling\n", found.listed, found.free, found.rolling);
+  printf("%d on a branch, %d rolling\n", found.listed, found.rolling);
   for (const auto& [why, count] : found.others) printf("not listed: %d, %s\n", count, why.c_str());
 }
 
