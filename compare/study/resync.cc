@@ -81,7 +81,7 @@ void OnsetWatch::add(const WatchedStep& s) {
   c.duration = std::max(0.0, last_force_ - o.touch);
 }
 
-// The first rebound is that of the first impact, or of the first bearing whose force ends.
+// The first rebound belongs to the first impact, or to the first contact whose force ends.
 void OnsetWatch::find_rebound(const WatchedStep& s) {
   if (rebounded_) return;
   double time = std::numeric_limits<double>::infinity();

@@ -15,7 +15,7 @@ namespace rotorub::sweep {
 
 struct MotionBranches {
   RubBranches found;
-  std::string refused;  // why there is no branch; empty if there is one
+  std::string refused;  // the reason if there is no branch, otherwise empty
 };
 
 // Values of the key at which runs begin that may settle to a motion; the branches lie between the

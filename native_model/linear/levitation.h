@@ -52,7 +52,7 @@ struct Levitation {
   bool stable() const { return poles_refused.empty() && !poles.empty() && poles[0].real() < 0.0; }
 };
 
-// Only the poles, or the reason why there are none, at the spin speed `speed` (rad/s).
+// Computes only the poles at the spin speed `speed` (rad/s), or the reason why they are unknown.
 Levitation levitation_poles(const Model& model, double speed);
 
 // Analysis at the spin speed `speed` (rad/s). The result has no loops if no feedback works.

@@ -89,7 +89,7 @@ Table controller() {
 
 Table sensors() {
   return {"controller.sensors",
-          "What a sampled controller measures; noise by its standard deviations. "
+          "What a sampled controller measures. Noise has these standard deviations. "
           "Needs `sample_time`.",
           "exact values",
           [](Scene& scene) -> void* { return &scene.auxiliary.back().controller->sensors; },

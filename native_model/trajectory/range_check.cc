@@ -18,7 +18,7 @@ std::string left(const Model& m) {
   if (!m.feedbacks.empty())
     return std::string(kRotor) +
            "the magnetic bearings do not hold it (`rotorub modes` prints their poles)";
-  if (!m.has_contact()) return std::string(kRotor) + "there is no ring, and nothing else holds it";
+  if (!m.has_contact()) return std::string(kRotor) + "neither a ring nor anything else holds it";
   return std::string(kRotor) +
          "its motion grows without bound (`rotorub modes` says if it is unstable; a fixed step may "
          "be too long)";

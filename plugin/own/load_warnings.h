@@ -11,7 +11,7 @@ namespace rotorub::plugin {
 
 // One sentence for each user sensor whose name is nearly the name of a sensor that the plugin
 // fills, so that it stays 0, and one for contacts with friction in two directions that MuJoCo's
-// solver computes with a pyramid. Null if there are none.
+// solver computes with a pyramid. The result is null if there is no warning.
 std::shared_ptr<LoadWarnings> load_warnings(const mjModel* m, const Config& config);
 
 // Issues them once, in the first step of a run beyond time 0: MuJoCo also takes a step at time 0

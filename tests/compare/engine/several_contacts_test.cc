@@ -221,7 +221,8 @@ TEST(ContactOrder, DoesNotMatterForTheFigures) {
   }
 }
 
-// The thin ring loses the rotor at a depth of its radius, 5 mm, and not at that of the other ring.
+// The thin ring loses the rotor at a depth of its own radius, 5 mm. The other ring's radius does
+// not matter.
 TEST(ContactOrder, DoesNotMatterForTheDepthOfASoftRing) {
   const scene::Scene scene = in_two_rings({.clearance = 0.5e-3, .radius = 5e-3}, 0.5e-3, 0.05);
   for (const scene::Scene& s : {scene, in_the_other_order(scene)}) {

@@ -15,25 +15,6 @@ namespace {
 
 using Phasor = std::complex<double>;
 
-// m = 2 kg, omega = 200 rad/s, zeta = 0.1, m e = 4e-5 kg m.
-const char* const kScene = R"(
-[run]
-end = 1.0
-[rotor]
-speed = 150.0
-[rotor.modal]
-mass = [2.0]
-stiffness = [8e4]
-damping = [80.0]
-[contact]
-radius = 0.05
-clearance = "5 mm"
-friction = 0.0
-restitution = 0.0
-[[force]]
-kind = "unbalance"
-static_moment = 4e-5
-)";
 const char* const kStudy = R"(scene = "free.toml"
 [sample]
 kind = "grid"
@@ -48,7 +29,7 @@ integrator = "event"
 
 TEST(Bifurcation, OfAFreeRotorIsItsUnbalanceVector) {
   test::StudyFolder folder;
-  folder.write("free.toml", kScene);
+  folder.write("free.toml", test::kFreeRotor);
   const Study study = folder.study(kStudy);
   ASSERT_EQ(no_bifurcation(study), "");
   const PointScenes scenes(study, {});
@@ -117,7 +98,7 @@ end = "1 s"
 // A ring that is narrower than where the rotor is: no start there, and the scene's own instead.
 TEST(Bifurcation, BeginsAnewWhereTheLastStateDoesNotFit) {
   test::StudyFolder folder;
-  folder.write("free.toml", kScene);
+  folder.write("free.toml", test::kFreeRotor);
   const Study study = folder.study(R"(scene = "free.toml"
 [sample]
 kind = "list"
@@ -144,7 +125,7 @@ end = 0.5
 
 TEST(Bifurcation, RefusesUnsupportedScenes) {
   test::StudyFolder folder;
-  folder.write("free.toml", kScene);
+  folder.write("free.toml", test::kFreeRotor);
   EXPECT_EQ(no_bifurcation(folder.study(kStudy)), "");
   Study study = folder.study(kStudy);
   study.engine = EngineKind::kMujoco;

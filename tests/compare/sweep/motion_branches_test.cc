@@ -18,28 +18,6 @@ namespace {
 
 using Phasor = std::complex<double>;
 
-// m = 2 kg, omega = 200 rad/s, zeta = 0.1, m e = 4e-5 kg m.
-std::string free_rotor(const std::string& more = "") {
-  return R"(
-[run]
-end = 1.0
-[rotor]
-speed = 150.0
-[rotor.modal]
-mass = [2.0]
-stiffness = [8e4]
-damping = [80.0]
-[contact]
-radius = 0.05
-clearance = "5 mm"
-friction = 0.0
-restitution = 0.0
-[[force]]
-kind = "unbalance"
-static_moment = 4e-5
-)" + more;
-}
-
 std::string speeds(const std::string& values) {
   return R"(scene = "free.toml"
 [sample]
@@ -55,7 +33,7 @@ integrator = "event"
 
 TEST(MotionBranches, OfAFreeRotorAreItsUnbalanceVector) {
   test::StudyFolder folder;
-  folder.write("free.toml", free_rotor());
+  folder.write("free.toml", test::kFreeRotor);
   const Study study = folder.study(speeds("[185.0, 200.0, 215.0]"));
   const PointScenes scenes(study, {});
   const MotionBranches all = motion_branches(scenes, nullptr, {});
@@ -125,8 +103,10 @@ end = "1 s"
 
 TEST(MotionBranches, GiveTheReasonWhereThereAreNone) {
   test::StudyFolder folder;
-  folder.write("free.toml",
-               free_rotor("[[force]]\nkind = \"rotating\"\namplitude = 1.0\nfrequency = 77.7\n"));
+  folder.write(
+      "free.toml",
+      test::kFreeRotor +
+          std::string("[[force]]\nkind = \"rotating\"\namplitude = 1.0\nfrequency = 77.7\n"));
   const Study study = folder.study(speeds("[100.0, 300.0]"));
   const PointScenes scenes(study, {});
   const MotionBranches none = motion_branches(scenes, nullptr, {});
@@ -134,7 +114,7 @@ TEST(MotionBranches, GiveTheReasonWhereThereAreNone) {
   const nlohmann::json data = bifurcation_data(study, scenes.sample(), {}, none);
   EXPECT_EQ(data.at("branches").at("refused"), none.refused);
   EXPECT_NE(data.at("note").get<std::string>().find(none.refused), std::string::npos);
-  folder.write("free.toml", free_rotor());
+  folder.write("free.toml", test::kFreeRotor);
   const Study one = folder.study(speeds("[100.0]"));
   EXPECT_EQ(motion_branches(PointScenes(one, {}), nullptr, {}).refused,
             "the key has a single value");

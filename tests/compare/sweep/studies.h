@@ -11,6 +11,26 @@
 
 namespace rotorub::test {
 
+// A free Jeffcott rotor with unbalance: m = 2 kg, omega = 200 rad/s, zeta = 0.1, m e = 4e-5 kg m.
+inline constexpr const char* kFreeRotor = R"(
+[run]
+end = 1.0
+[rotor]
+speed = 150.0
+[rotor.modal]
+mass = [2.0]
+stiffness = [8e4]
+damping = [80.0]
+[contact]
+radius = 0.05
+clearance = "5 mm"
+friction = 0.0
+restitution = 0.0
+[[force]]
+kind = "unbalance"
+static_moment = 4e-5
+)";
+
 class StudyFolder : public TemporaryFolder {
  public:
   sweep::Study study(const std::string& text) const {
