@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "plugin/fingerprint.h"
 #include "plugin/make_config.h"
@@ -133,6 +134,7 @@ Registry& registry() {
 struct Known {
   ConfigPointer config;  // null: a foreign model, with these names in its <custom>:
   std::string names;
+  decltype(mjModel::nbuffer) bytes;  // size of the model
   ModelImage image;                  // of a model with a config
   const mjData* compared = nullptr;  // the mjData and the time of the pass that compared them
   double time = 0.0;
@@ -156,6 +158,7 @@ std::string_view custom_names(const mjModel* m) {
 
 // Compares the names once in a pass, because another model may have this address now.
 bool is_still_foreign(Known& known, const mjModel* m, const mjData* d, bool check) {
+  if (known.bytes != m->nbuffer) return false;
   if (!check) {
     known.compared = nullptr;
     return true;
@@ -173,9 +176,13 @@ thread_local char raised_text[1000];
 const Config* look_up(const mjModel* m) {
   try {
     const Known* known = recent.find(m);
-    if (known && known->config && fits(*known->config, m) && same_motion(*known->config, m))
+    if (known && known->config && fits(*known->config, m) && same_motion(*known->config, m)) {
+      check_structure(m, *known->config);
       return known->config.get();
-    Known& made = recent.add(m, {registry().find_or_make(m), {}, {}});
+    }
+    ConfigPointer config = registry().find_or_make(m);
+    check_structure(m, *config);
+    Known& made = recent.add(m, {std::move(config), {}, m->nbuffer, {}});
     made.image.take(m);
     return made.config.get();
   } catch (const std::exception& error) {
@@ -208,7 +215,8 @@ const Config* find(const mjModel* m, const mjData* d, bool check) {
     }
   }
   if (!is_ours(m)) {
-    recent.add(m, {nullptr, std::string(custom_names(m)), {}, check ? d : nullptr, d->time});
+    recent.add(
+        m, {nullptr, std::string(custom_names(m)), m->nbuffer, {}, check ? d : nullptr, d->time});
     return nullptr;
   }
   const Config* config = look_up(m);

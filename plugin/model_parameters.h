@@ -27,8 +27,12 @@ bool has_parameters(const Config& config, const mjModel* m);
 // impossible numbers and for mass on the rotor's bodies.
 void take_parameters(const mjModel* m, Config& config);
 
-// Finds the geoms with these numbers and checks the structure. Throws ConfigError if bodies, joints
-// and actuators of a generated file do not move as the scene's mode shapes and axes require.
+// Finds the geoms with these numbers and the rotor's bodies, and checks the structure.
 void map_structure(const mjModel* m, Config& config);
+
+// Throws ConfigError if bodies, joints and actuators of a generated file do not move as the scene's
+// mode shapes and axes require. The fingerprint does not contain their places and axes. So every
+// model is checked when a config is looked up for it: for each new or reset mjData.
+void check_structure(const mjModel* m, const Config& config);
 
 }  // namespace rotorub::plugin

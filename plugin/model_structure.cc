@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "mjcf/names.h"
 #include "plugin/model/message.h"
@@ -64,17 +65,13 @@ void check_mode(const mjModel* m, int joint, int rotor, double shape) {
                  carries ? 1 : 0, shape));
 }
 
-void check_chain(const mjModel* m, Config& config) {
+void check_chain(const mjModel* m, const Config& config) {
   const Layout& l = config.model.layout;
   const int rotor = m->geom_bodyid[config.pairs.front().rotor_geom];
   check_poses(m, rotor, Eigen::Vector2d::Zero());
   for (int i = 0; i < l.ring(); ++i) {
     const int dof = config.dof_address[static_cast<std::size_t>(i)];
-    const int joint = m->dof_jntid[dof], body = m->dof_bodyid[dof];
-    if (std::find(config.rotor_bodies.begin(), config.rotor_bodies.end(), body) ==
-        config.rotor_bodies.end()) {
-      config.rotor_bodies.push_back(body);
-    }
+    const int joint = m->dof_jntid[dof];
     if (i < l.y()) {
       check_joint(m, joint, 0, "1 0 0");
       check_mode(m, joint, rotor, config.model.first().shape.x[i]);
@@ -136,6 +133,15 @@ void check_actuator(const mjModel* m, int k, int actuator) {
   }
 }
 
+std::vector<int> bodies_of_chain(const mjModel* m, const Config& config) {
+  std::vector<int> bodies;
+  for (int i = 0; i < config.model.layout.ring(); ++i) {
+    const int body = m->dof_bodyid[config.dof_address[static_cast<std::size_t>(i)]];
+    if (std::ranges::find(bodies, body) == bodies.end()) bodies.push_back(body);
+  }
+  return bodies;
+}
+
 int shape(const mjModel* m, const std::string& name) {
   const int geom = mj_name2id(m, mjOBJ_GEOM, name.c_str());
   return geom >= 0 && m->geom_type[geom] == mjGEOM_CYLINDER ? geom : -1;
@@ -150,6 +156,13 @@ void map_structure(const mjModel* m, Config& config) {
     config.pairs[k].rotor_shape = shape(m, names::of_bearing(k, names::kRotor));
     config.pairs[k].ring_shape = shape(m, names::of_bearing(k, names::kRing));
   }
+  if (config.has_contact() && !config.segments) config.rotor_bodies = bodies_of_chain(m, config);
+  check_structure(m, config);
+}
+
+void check_structure(const mjModel* m, const Config& config) {
+  if (config.own) return;
+  const Model& model = config.model;
   if (config.has_contact()) {
     check_rings(m, config);
     if (!config.segments) check_chain(m, config);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "native_model/contact/contact_list.h"
 #include "native_model/scene/mujoco.h"
@@ -13,33 +14,38 @@ namespace rotorub::plugin {
 namespace {
 
 // The results that a thread noted last for each of its contacts. If there are more than kMostNoted,
-// a new contact replaces the oldest one. A step allocates no memory.
+// a new contact replaces the one that was noted least recently. A step allocates no memory.
 class NotedContacts {
  public:
-  NotedContact* find(const mjData* d, int userdata) {
-    const auto at = std::find_if(all_.begin(), all_.end(), [&](const Noted& noted) {
-      return noted.d == d && noted.userdata == userdata;
-    });
+  const NotedContact* find(const mjData* d, int userdata) {
+    const auto at = place(d, userdata);
     return at == all_.end() ? nullptr : &at->contact;
   }
   void put(const mjData* d, int userdata, const NotedContact& contact) {
-    if (NotedContact* there = find(d, userdata)) {
-      *there = contact;
-      return;
+    auto at = place(d, userdata);
+    if (at == all_.end()) {
+      at = std::min_element(all_.begin(), all_.end(),
+                            [](const Noted& a, const Noted& b) { return a.order < b.order; });
     }
-    all_[next_] = {d, userdata, contact};
-    next_ = (next_ + 1) % kMostNoted;
+    *at = {d, userdata, ++calls_, contact};
   }
 
  private:
   struct Noted {
     const mjData* d = nullptr;
     int userdata = -1;
+    std::uint64_t order = 0;  // number of the call that noted it, 0: empty
     NotedContact contact{};
   };
   static constexpr std::size_t kMostNoted = 4 * kMaxContacts;
-  std::array<Noted, kMostNoted> all_;
-  std::size_t next_ = 0;
+  using All = std::array<Noted, kMostNoted>;
+  All::iterator place(const mjData* d, int userdata) {
+    return std::find_if(all_.begin(), all_.end(), [&](const Noted& noted) {
+      return noted.d == d && noted.userdata == userdata;
+    });
+  }
+  All all_;
+  std::uint64_t calls_ = 0;
 };
 
 NotedContacts& noted_contacts() {

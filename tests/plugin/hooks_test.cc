@@ -99,6 +99,20 @@ TEST_F(HooksTest, RotorThatNeverTouchesRunsBitForBitAsWithout) {
   EXPECT_EQ(state_after(m.get(), 10000), without);
 }
 
+// A new model and its mjData may have the addresses of deleted ones.
+TEST_F(HooksTest, AModelAtTheAddressOfAForeignOneIsKnown) {
+  const plugin::Hooks hooks;
+  const ModelPointer foreign = load(kForeign), own = load(mjcf(parsed(kAnnularRub)));
+  const DataPointer of_foreign = start(foreign.get()), of_own = start(own.get());
+  mjModel model = *foreign;
+  mjData data = *of_foreign;
+  mj_forward(&model, &data);
+  model = *own;
+  data = *of_own;
+  mj_forward(&model, &data);
+  EXPECT_EQ(sensor(&model, &data, mjcf_names::kActive), 1.0);
+}
+
 // ---------------------------------------------------------------- models
 
 TEST_F(ConfigTest, BadSceneTextIsRefusedAtLoadWithElementLineAndKey) {

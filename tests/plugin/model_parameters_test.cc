@@ -191,6 +191,9 @@ TEST_F(ModelParameters, NumbersThatNoRotorHasAreRefusedByName) {
 
 TEST_F(ModelParameters, WhatNoLongerCarriesTheModesIsRefusedAtLoad) {
   const std::string document = mjcf(shipped("paper_sliding", {"rotor.modes=2"}));
+  const ModelPointer intact = load(document);  // it must not hide the fault
+  const DataPointer d = start(intact.get());
+  mj_forward(intact.get(), d.get());
   const auto expect = [&](const char* from, const char* to, const char* named) {
     expect_refused(replaced(document, from, to), named);
   };

@@ -7,6 +7,7 @@
 #include <array>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
@@ -279,9 +280,25 @@ TEST_F(SeveralOnTheChain, EachKeepsItsNotedResults) {
   }
 }
 
+// A contact that is noted again stays when a thread notes more contacts than it can keep.
+TEST_F(SeveralOnTheChain, TheContactNotedLeastRecentlyIsForgotten) {
+  std::vector<mjData> data(100);
+  for (std::size_t i = 1; i < data.size(); ++i) {
+    plugin::note_contact(&data[0], 0, {1.0, 0.0}, 10.0);
+    plugin::note_contact(&data[i], 0, {1.0, 0.0}, 20.0);
+    const plugin::NotedContact* again = plugin::noted_contact(&data[0], 0);
+    ASSERT_NE(again, nullptr) << i;
+    EXPECT_EQ(again->axial, 10.0) << i;
+  }
+  EXPECT_EQ(plugin::noted_contact(&data[1], 0), nullptr);
+}
+
 // The place of every ring is that of the scene.
 TEST_F(SeveralOnTheChain, AreRefusedWithARingOutOfPlace) {
   const std::string document = mjcf(in_rings("\"10 mm\"", "\"10 um\""));
+  const ModelPointer intact = load(document);  // it must not hide the fault
+  const DataPointer d = start(intact.get());
+  mj_forward(intact.get(), d.get());
   for (const std::string ring : {"<body name=\"ring", "<body name=\"ring_2"}) {
     expect_refused(replaced(document, ring + "\">", ring + "\" pos=\"1e-4 0 0\">"),
                    ring + "\">: pos");
