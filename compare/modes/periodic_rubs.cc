@@ -69,28 +69,44 @@ std::optional<State> free_orbit(const scene::Scene& scene) {
 // Each sample ends a stretch, which is then shorter and cheaper than others.
 constexpr int kMoreForSamples = 4;
 
-// Names the sample times that were changed.
-std::string sampling_of(const Model& given, const Model& whole) {
+bool has_sensor_errors(const scene::AuxiliaryBearing& at) {
+  if (!at.controller || at.controller->sample_time <= 0.0) return false;
+  const scene::Sensors& s = at.controller->sensors;
+  const double errors[] = {s.position_noise,      s.velocity_noise,      s.current_noise,
+                           s.position_resolution, s.velocity_resolution, s.current_resolution};
+  return std::ranges::any_of(errors, [](double error) { return error > 0.0; });
+}
+
+// Names the sample times that were changed, and what the search leaves out.
+std::string sampling_of(const scene::Scene& scene, const Model& given, const Model& searched) {
+  const std::vector<double> own = periodic::sample_times(given),
+                            changed = periodic::sample_times(searched);
   std::string changes;
-  for (std::size_t k = 0; k < whole.samplers.size(); ++k) {
-    const double from = given.samplers[k].sample_time, to = whole.samplers[k].sample_time;
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    const double from = own[k], to = changed[k];
     if (std::abs(to - from) < 1e-12 * from) continue;
     const std::string change = fmt::format("{:.7g} instead of {:.7g} us", 1e6 * to, 1e6 * from);
     if (changes.find(change) != std::string::npos) continue;
     changes += (changes.empty() ? "" : ", ") + change;
   }
-  if (changes.empty()) return "";
-  return "The sample time of the control is " + changes +
-         ", so that it divides the period of the loads.";
+  std::string text;
+  if (!changes.empty()) {
+    text = "The sample time of the control is " + changes +
+           ", so that it divides the period of the loads.";
+  }
+  if (std::ranges::any_of(scene.auxiliary, has_sensor_errors)) {
+    text += text.empty() ? "" : " ";
+    text += "The search ignores the noise and the resolution of the sensors.";
+  }
+  return text;
 }
 
 }  // namespace
 
 PeriodicRubs lasting_rubs_by_shooting(const scene::Scene& scene, const ShootingOptions& options) {
   return with_place(scene, [&] {
-    const Model given = prepare(scene), m = periodic::with_whole_samples(given);
+    const Model given = prepare(scene), m = periodic::with_repeating_controls(given);
     PeriodicRubs all;
-    all.sampling = sampling_of(given, m);
     const bool several = scene.auxiliary.size() > 1;
     for (std::size_t k = 0; k < scene.auxiliary.size(); ++k)
       all.contacts.push_back(several ? scene.name_of(k) : "");
@@ -100,12 +116,13 @@ PeriodicRubs lasting_rubs_by_shooting(const scene::Scene& scene, const ShootingO
     parameters.most_periods = options.most_periods;
     all.refused = periodic::forcing_of(m).refusal;
     if (!all.refused.empty()) return all;
+    all.sampling = sampling_of(scene, given, m);
     std::vector<rub::NamedStart> starts = rub::starts_near_rubs(scene, m);
     parameters.most_stretches = options.most_stretches / static_cast<std::int64_t>(starts.size());
     if (periodic::forcing_of(m).period > 0.0) {
       if (auto orbit = free_orbit(scene)) starts.push_back({"the free orbit", std::move(*orbit)});
     }
-    if (!m.samplers.empty()) parameters.most_stretches *= kMoreForSamples;
+    if (!periodic::sample_times(m).empty()) parameters.most_stretches *= kMoreForSamples;
     for (const rub::NamedStart& start : starts) {
       periodic::SettledMotion settled = periodic::settled_motion(m, start.state, parameters);
       if (!settled.found()) {

@@ -30,7 +30,7 @@ struct PeriodicRubs {
   std::vector<UnsettledStart> without;
   // The reason why the machine has no periodic motion from any start, or empty.
   std::string refused;
-  // A sentence about sample times that differ from the scene's (with_whole_samples), or empty.
+  // A sentence about sample times that differ from the scene's (with_repeating_controls), or empty.
   std::string sampling;
 };
 

@@ -45,12 +45,22 @@ class Machines {
     return own;
   }
   Model model(double value, double up) const {
-    return periodic::with_whole_samples(prepare(unstarted(value, up)));
+    return periodic::with_repeating_controls(prepare(unstarted(value, up)));
   }
 
  private:
   const SceneAt* scene_at_;
 };
+
+// The result of action(); empty if it refuses the scene.
+template <class Action>
+auto without_refusal(Action action) -> std::optional<decltype(action())> {
+  try {
+    return action();
+  } catch (const scene::SceneError&) {
+    return {};
+  }
+}
 
 // The rubs to which runs settle at one value; `error` is set if the scene is refused there.
 struct Found {
@@ -112,13 +122,16 @@ class Diagram {
       // Branches of twice the period are found from the others.
       if (from == branch.points.end() || from->point == PointKind::kPeriodDoubling) continue;
       const PeriodicMotion& old = from->rub.settled.motion;
-      const Model model = machines_->model(from->value, up_);
+      const auto refusable = without_refusal([&] { return machines_->model(from->value, up_); });
+      if (!refusable) continue;
+      const Model& model = *refusable;
       const periodic::Forcing forcing = periodic::forcing_of(model);
       periodic::Guess guess{old.start, old.period, old.turns, old.held, old.frame != 0.0};
       if (forcing.period > 0.0 && !guess.turning) {
         guess.start.t *= from->rub.settled.order * forcing.period / guess.period;
         guess.period = from->rub.settled.order * forcing.period;
-        const double early = (forcing.settled - guess.start.t) / forcing.period;
+        const double first = std::max(forcing.settled, old.start.t);
+        const double early = (first - guess.start.t) / forcing.period;
         guess.start.t += std::max(0.0, std::ceil(early)) * forcing.period;
       } else if (guess.turning) {
         guess.start.t *= std::abs(old.frame) * forcing.period / (2.0 * std::numbers::pi);
@@ -144,14 +157,15 @@ class Diagram {
       const PeriodicMotion& motion = at.rub.settled.motion;
       ContinuationParameters parameters = parameters_from(at.value, motion, 1.0);
       parameters.most_points = std::max(kLeastPoints, parameters.most_points / 2);
-      const Branch found =
-          periodic::continue_doubled([this](double x) { return machines_->model(x, up_); },
-                                     {at.point, at.value, motion}, parameters);
-      if (found.points.size() < 2) continue;
-      RubBranch branch{up_,       at.value, {"a period doubling"}, {}, periodic::kAtDoubling,
-                       found.end, {}};
+      const std::optional<Branch> found = without_refusal([&] {
+        return periodic::continue_doubled([this](double x) { return machines_->model(x, up_); },
+                                          {at.point, at.value, motion}, parameters);
+      });
+      if (!found || found->points.size() < 2) continue;
+      RubBranch branch{up_,        at.value, {"a period doubling"}, {}, periodic::kAtDoubling,
+                       found->end, {}};
       const int order = 2 * at.rub.settled.order;
-      for (const periodic::BranchPoint& point : found.points)
+      for (const periodic::BranchPoint& point : found->points)
         branch.points.push_back(described(point, order));
       branches_.push_back(std::move(branch));
       add_doubled(branches_.size() - 1, deep - 1);
@@ -188,9 +202,15 @@ class Diagram {
   }
 
   Branch continued(double value, const PeriodicRub& rub, double direction) const {
-    return periodic::continue_branch([this](double at) { return machines_->model(at, up_); }, value,
-                                     rub.settled.motion,
-                                     parameters_from(value, rub.settled.motion, direction));
+    try {
+      return periodic::continue_branch([this](double at) { return machines_->model(at, up_); },
+                                       value, rub.settled.motion,
+                                       parameters_from(value, rub.settled.motion, direction));
+    } catch (const scene::SceneError& error) {
+      Branch none;
+      none.end = "the scene is refused beside this value: " + error.diagnostics().front().reason;
+      return none;
+    }
   }
 
   ContinuationParameters parameters_from(double value, const PeriodicMotion& motion,

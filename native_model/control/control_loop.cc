@@ -13,7 +13,7 @@ namespace rotorub {
 namespace {
 
 // The numbers of a measurement in one array, without its time.
-constexpr std::size_t kChannels = 14;
+constexpr std::size_t kChannels = 14, kSpinAngle = 8;
 using Channels = std::array<double, kChannels>;
 
 // Calls action(channel, number of m) for each of them in order.
@@ -37,7 +37,7 @@ void set_channels(const double* c, Measurement& m) {
   for_each_channel(m, [c](std::size_t at, double& x) { x = c[at]; });
 }
 
-// Layout of the sensors' memory: number of samples taken, time and positions of the last one, and
+// Layout of the sensors' memory: 1 after the first sample, time and positions of the last one, and
 // the delayed samples.
 enum SensorMemory : std::size_t { kTaken, kLastTime, kLastPosition, kBuffer = kLastPosition + 4 };
 
@@ -112,8 +112,39 @@ Measurement Sensors::measure(const Measurement& now, double* memory) const {
   if (memory_size() == 0) return shown;
   const bool first = memory[kTaken] == 0.0;
   if (settings_.velocity == scene::VelocitySensor::kDifference) put_differences(shown, memory);
-  memory[kTaken] += 1.0;
+  memory[kTaken] = 1.0;
   return delay_ > 0 ? delayed(shown, memory + kBuffer, first) : shown;
+}
+
+Sensors Sensors::exact() const {
+  Sensors same = *this;
+  scene::Sensors& s = same.settings_;
+  s.position_noise = s.velocity_noise = s.current_noise = 0.0;
+  s.position_resolution = s.velocity_resolution = s.current_resolution = 0.0;
+  return same;
+}
+
+std::vector<std::size_t> Sensors::returning_entries() const {
+  std::vector<std::size_t> all;
+  if (settings_.velocity == scene::VelocitySensor::kDifference) {
+    for (std::size_t i = 0; i < 4; ++i) all.push_back(kLastPosition + i);
+  }
+  for (std::size_t i = 0; i < delay_ * kChannels; ++i) {
+    if (i % kChannels != kSpinAngle) all.push_back(kBuffer + i);
+  }
+  return all;
+}
+
+void Sensors::set_time(double last, double* memory) const {
+  if (memory_size() > 0 && memory[kTaken] != 0.0) memory[kLastTime] = last;
+}
+
+void Sensors::set_spin_angles(double last, double growth, double* memory) const {
+  if (delay_ == 0 || !settings_.spin || memory[kTaken] == 0.0) return;
+  for (std::size_t i = 0; i < delay_; ++i) {
+    const auto earlier = static_cast<double>(delay_ - 1 - i);  // samples before the last one
+    memory[kBuffer + i * kChannels + kSpinAngle] = last - earlier * growth;
+  }
 }
 
 Measurement Sensors::with_errors(const Measurement& now) const {
@@ -174,12 +205,13 @@ Measurement Sensors::delayed(const Measurement& shown, double* buffer, bool firs
   return oldest;
 }
 
-bool touched(const Measurement& now, double clearance, double* state) {
-  // The time (s) at which the last shown gap would close (0: never), and the gap's rate.
-  enum : std::size_t { kDue, kRate };
+bool touched(const Measurement& now, double clearance, double sample_time, double* state) {
+  // The time (s) after which the last shown gap would close (0: never), and the gap's rate.
+  enum : std::size_t { kTimeLeft, kRate };
   const MeasuredGap measured = measured_gap(now, clearance);
-  const bool due = state[kDue] > 0.0 && now.t >= state[kDue] && measured.rate > state[kRate];
-  state[kDue] = measured.rate < 0.0 ? now.t - measured.gap / measured.rate : 0.0;
+  const bool due =
+      state[kTimeLeft] > 0.0 && sample_time >= state[kTimeLeft] && measured.rate > state[kRate];
+  state[kTimeLeft] = measured.rate < 0.0 ? -measured.gap / measured.rate : 0.0;
   state[kRate] = measured.rate;
   // While contact lasts the gap is 0 up to the round-off of the engine, with either sign.
   constexpr double kClosed = 1e-5;  // share of the clearance
@@ -192,6 +224,7 @@ ControlLoop::ControlLoop(std::shared_ptr<const Controller> law, const scene::Sen
     : law_(std::move(law)),
       sensors_(sensors, sample_time),
       trigger_(trigger),
+      sample_time_(sample_time),
       clearance_(clearance) {}
 
 std::size_t ControlLoop::memory_size() const {
@@ -204,7 +237,8 @@ Eigen::Vector2d ControlLoop::sample(const Measurement& truth, double* memory) co
   if (memory[kRuns] == 0.0) {
     const MeasuredGap gap = measured_gap(now, clearance_);
     const SwitchOn on{now.t, gap.gap, gap.rate};
-    const bool touch = trigger_ && trigger_->touch && touched(now, clearance_, memory + kTouch);
+    const bool touch =
+        trigger_ && trigger_->touch && touched(now, clearance_, sample_time_, memory + kTouch);
     if (!touch && !lets_in(on)) return {0.0, 0.0};
     memory[kRuns] = 1.0;
     memory[kOnTime] = on.t;
@@ -216,6 +250,30 @@ Eigen::Vector2d ControlLoop::sample(const Measurement& truth, double* memory) co
   const Eigen::Vector2d asked = law_->command(now, on, state);
   law_->output(now, on, state, memory + kOutputs);
   return asked;
+}
+
+ControlLoop ControlLoop::with_exact_sensors() const {
+  ControlLoop same = *this;
+  same.sensors_ = sensors_.exact();
+  return same;
+}
+
+std::vector<std::size_t> ControlLoop::returning_entries() const {
+  std::vector<std::size_t> all = sensors_.returning_entries();
+  for (std::size_t& at : all) at += kSingle;
+  if (trigger_ && trigger_->touch) {
+    for (std::size_t i = 0; i < kTouchState; ++i) all.push_back(kTouch + i);
+  }
+  for (std::size_t i = kSingle + sensors_.memory_size(); i < memory_size(); ++i) all.push_back(i);
+  return all;
+}
+
+void ControlLoop::set_time(double last, double* memory) const {
+  sensors_.set_time(last, memory + kSingle);
+}
+
+void ControlLoop::set_spin_angles(double last, double growth, double* memory) const {
+  sensors_.set_spin_angles(last, growth, memory + kSingle);
 }
 
 const double* ControlLoop::outputs(const double* memory) { return memory + kOutputs; }

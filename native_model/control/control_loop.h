@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "native_model/control/controller.h"
 #include "native_model/scene/auxiliary_bearing.h"
@@ -37,6 +38,12 @@ class Sensors {
 
   // Bits ROTORUB_MEASURES_* of rotorub/controller.h.
   unsigned measured() const;
+  // The same without noise and resolution.
+  Sensors exact() const;
+  // These three are those of ControlLoop.
+  std::vector<std::size_t> returning_entries() const;
+  void set_time(double last, double* memory) const;
+  void set_spin_angles(double last, double growth, double* memory) const;
 
  private:
   Measurement with_errors(const Measurement& now) const;
@@ -53,10 +60,10 @@ double noise(int seed, std::int64_t sample, int channel);
 // Returns whether rotor and ring have touched since the previous sample, judged by the sensors.
 // Either the gap is closed now, or it would have closed since the previous sample at its rate then,
 // and that rate has risen (a rebound). Closed means at most 1e-5 of the clearance, so that a
-// contact that already exists when a trigger is armed counts at once in every engine. state:
-// kTouchState numbers, 0 before the first sample.
+// contact that already exists when a trigger is armed counts at once in every engine. sample_time:
+// s, since the previous sample. state: kTouchState numbers, 0 before the first sample.
 inline constexpr std::size_t kTouchState = 2;
-bool touched(const Measurement& now, double clearance, double* state);
+bool touched(const Measurement& now, double clearance, double sample_time, double* state);
 
 class ControlLoop {
  public:
@@ -70,9 +77,20 @@ class ControlLoop {
   // Call it once per sample, in order. Throws ControllerError.
   Eigen::Vector2d sample(const Measurement& truth, double* memory) const;
 
+  // The same loop with exact sensors: without noise and with an unlimited resolution.
+  ControlLoop with_exact_sensors() const;
+
   const Controller& law() const { return *law_; }
   // The law's outputs at the last sample (Controller::outputs); 0 before it was switched on.
   static const double* outputs(const double* memory);
+  // The entries of the memory that later commands depend on and that return in a periodic motion:
+  // without times, spin angles, and the numbers of the switch-on.
+  std::vector<std::size_t> returning_entries() const;
+  // For the memory of a loop that has taken samples: sets the time of the last one, s.
+  void set_time(double last, double* memory) const;
+  // The same for the spin angles of delayed samples. last: rad, at the last sample. growth: rad,
+  // from one sample to the next.
+  void set_spin_angles(double last, double growth, double* memory) const;
 
  private:
   bool lets_in(const SwitchOn& now) const;
@@ -80,6 +98,7 @@ class ControlLoop {
   std::shared_ptr<const Controller> law_;
   Sensors sensors_;
   std::optional<scene::Trigger> trigger_;
+  double sample_time_;
   double clearance_;
 };
 

@@ -81,6 +81,8 @@ class Controller {
   virtual Eigen::Vector2d command(const Measurement& now, const SwitchOn& on,
                                   double* state) const = 0;
   virtual bool commands_currents() const { return false; }
+  // True if it stands in for a library that is not opened.
+  virtual bool is_left_out() const { return false; }
 
   // Further quantities that a law shows: their names and units, and their values after command() at
   // the same measurement.

@@ -31,6 +31,7 @@ class UnopenedLibrary final : public Controller {
  public:
   static constexpr std::size_t kRoomForState = 256;  // doubles
   std::size_t state_size() const override { return kRoomForState; }
+  bool is_left_out() const override { return true; }
   Eigen::Vector2d command(const Measurement&, const SwitchOn&, double*) const override {
     return {0.0, 0.0};
   }

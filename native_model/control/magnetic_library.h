@@ -26,6 +26,8 @@ class MagneticLibrary {
   // The state is part of the model's coordinates. An MJCF written without opening the library
   // reserves space for the maximum.
   static constexpr std::size_t kMostState = 64;
+  // True if the library is left out.
+  bool is_left_out() const { return !law_ && !currents_; }
   std::size_t state_size() const { return law_ ? law_->state_size() : kMostState; }
   // state: 0 on entry.
   void start(double* state) const {

@@ -120,6 +120,7 @@ TwoPhase::TwoPhase(const scene::Controller& settings, const Plant& plant, double
     : track_(settings, plant, spin_speed),
       cross_(settings),
       clearance_(plant.clearance),
+      sample_time_(settings.sample_time),
       handover_time_(settings.handover_time) {}
 
 std::size_t TwoPhase::state_size() const { return kTrack + track_.state_size(); }
@@ -127,8 +128,8 @@ std::size_t TwoPhase::state_size() const { return kTrack + track_.state_size(); 
 void TwoPhase::start(double* state) const { track_.start(state + kTrack); }
 
 Eigen::Vector2d TwoPhase::command(const Measurement& now, const SwitchOn& on, double* state) const {
-  const bool touches = touched(now, clearance_, state + kTouchMemory);
   if (state[kHandedOver] == 0.0) {
+    const bool touches = touched(now, clearance_, sample_time_, state + kTouchMemory);
     const Eigen::Vector2d tracking = track_.command(now, on, state + kTrack);
     if (!touches) return tracking;
     const Eigen::Vector2d left = tracking - cross_.command(now, on, nullptr);

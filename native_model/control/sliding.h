@@ -90,6 +90,7 @@ class TwoPhase final : public Controller {
   SlidingController track_;
   CrossCoupled cross_;
   double clearance_;      // m
+  double sample_time_;    // s
   double handover_time_;  // s, T_h
 };
 

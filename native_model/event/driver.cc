@@ -5,6 +5,7 @@
 
 #include "native_model/event/location.h"
 #include "native_model/model/actuation.h"
+#include "native_model/model/control_states.h"
 #include "native_model/model/dynamics.h"
 #include "native_model/model/sampled_feedback.h"
 #include "native_model/trajectory/range_check.h"
@@ -58,6 +59,7 @@ void EventIntegrator::begin(const State& start, double end, Recorder& recorder) 
   result_ = {};
   schedule_.begin(start.t, end_);
   motion_.begin(start);
+  set_control_clock(*model_, start.t, motion_.v());
   for (std::size_t k = 0; k < system_.contacts(); ++k) {
     system_.set(k, {});
     system_.first_touch(k, kInfinity);
@@ -219,9 +221,22 @@ void EventIntegrator::arrive_at_break() {
 // The controllers of the rings come first. As in fixed steps, they see the states that the earlier
 // samples of the magnetic bearings left.
 void EventIntegrator::sample_controllers() {
-  const double *q = motion_.q(), *v = motion_.v();
+  const double* q = motion_.q();
+  double* v = motion_.v();
+  const auto take = [this](const auto& sample) {
+    try {
+      sample();
+    } catch (const ControllerError& error) {
+      controller_failed(error.what());
+    }
+  };
   for (std::size_t k = 0; k < system_.contacts(); ++k) {
     if (!schedule_.sample_due(k, motion_.t)) continue;
+    if (has_control_states(model_->auxiliary[k])) {
+      take([&] { take_control_sample(*model_, k, motion_.t, q, v); });
+      system_.set_outputs(k, outputs_in_state(*model_, k, v));
+      continue;
+    }
     if (!model_->auxiliary[k].loop) {
       system_.hold_command(k, control_command(*model_, motion_.t, q, v, k));
       continue;
@@ -233,11 +248,7 @@ void EventIntegrator::sample_controllers() {
   }
   for (std::size_t k = 0; k < model_->samplers.size(); ++k) {
     if (!schedule_.feedback_due(k, motion_.t)) continue;
-    try {
-      take_sample(*model_, model_->samplers[k], motion_.t, motion_.q(), motion_.v());
-    } catch (const ControllerError& error) {
-      controller_failed(error.what());
-    }
+    take([&] { take_sample(*model_, model_->samplers[k], motion_.t, q, v); });
   }
 }
 

@@ -79,9 +79,10 @@ void SmoothStep::update_tolerances(const Motion& motion) {
   // coil, or the integrals of the run.
   for (int i = l.bristle(); i < n; ++i) {
     of_q[i] = kInfinity;
-    of_v[i] = tolerance * (i < l.feedback_state() ? 1.0
-                           : i < l.coil()         ? state_size(i)
-                                                  : coil_limit(i));
+    of_v[i] = tolerance * (i < l.feedback_state()  ? 1.0
+                           : i < l.coil()          ? state_size(i)
+                           : i < l.control_state() ? coil_limit(i)
+                                                   : kInfinity);
   }
   std::fill(tolerance_.begin() + 2 * n, tolerance_.end(), kInfinity);
   if (!round_off_.empty()) find_round_off(motion);

@@ -36,6 +36,10 @@ ContactList<Constraint::Closed> SmoothSystem::rigid_contacts() const {
 
 Eigen::Vector2d SmoothSystem::command(std::size_t k, double t, const double* y) const {
   const AuxiliaryBearing& bearing = model_->auxiliary[k];
+  if (bearing.control_state != kAbsent) {
+    const double* held = y + model_->nq() + bearing.control_state;
+    return {held[0], held[1]};
+  }
   // The command of a record is held too.
   if (!bearing.controller || bearing.sample_time > 0.0) return at_[k].held_command;
   return control_command(*model_, t, y, y + model_->nq(), k);

@@ -6,7 +6,8 @@
 //                       turns | bristles of dry friction (their rates are the states) |
 //                       two per state of a magnetic bearing's feedback (their rates are the
 //                       states) | charges of two coils of each ring with a coil lag (their rates
-//                       are the currents)
+//                       are the currents) | with_control_states() appends the commands and memories
+//                       of the rings' sampled controllers (their rates are the states)
 // Equations (9), (20):  M(phi) q'' = f(t, q, q', u) + W_N lambda_N + W_T lambda_T
 //
 // M is diagonal except for the coupling of spin and bending by unbalance with a drive.
@@ -56,6 +57,7 @@ struct Layout {
   int bristles = 0;         // 2 per ring with dry friction, 1 per ring with dry drag on its spin
   int feedback_states = 0;  // 2 per state of a magnetic bearing's feedback
   int coils = 0;            // 2 per ring with a coil lag
+  int control_states = 0;   // with_control_states(): of the rings' sampled controllers
   int x() const { return 0; }
   int y() const { return modes; }
   int phi() const { return 2 * modes; }
@@ -66,7 +68,8 @@ struct Layout {
   int feedback_state() const { return bristle() + bristles; }
   int coil() const { return feedback_state() + feedback_states; }
   int mechanical() const { return bristle(); }  // number of leading coordinates that store energy
-  int nq() const { return coil() + coils; }
+  int control_state() const { return coil() + coils; }
+  int nq() const { return control_state() + control_states; }
   // True if coordinate i is an angle.
   bool turns(int i) const {
     return (i >= phi() && i < ring()) || (i >= ring_angle() && i < mechanical());
@@ -181,6 +184,8 @@ struct AuxiliaryBearing {
   std::shared_ptr<const ControlLoop> loop;       // for a sampled controller
   double control_on = 0.0;                       // s
   double sample_time = 0.0;                      // s, 0: continuous
+  int control_state = kAbsent;  // where its command (2) and the memory of `loop` begin among the
+                                // states; kAbsent: the integrator keeps them
   // Commands of another run, which replace the controller (see replayed()).
   std::shared_ptr<const CommandRecord> recorded;
   bool is_compliant() const { return contact && contact->is_compliant(); }
@@ -286,6 +291,11 @@ Model with_ideal_actuator(Model model);
 Model with_linear_feedback(Model model);
 // The model with all shaft bearings aligned.
 Model without_offsets(Model model);
+// The model whose sampled controllers of rings keep their commands and memories among the states,
+// so that a state determines its motion (control_states.h). Their sensors are exact then, without
+// noise, which a state does not know, and without a resolution, because rounded numbers have no
+// derivative. A controller whose memory does not fit into kMaxCoordinates stays as it is.
+Model with_control_states(Model model);
 // The model without controllers.
 Model without_controller(Model model);
 // The model whose first ring is driven by recorded commands instead of its controllers; unchanged

@@ -1,6 +1,7 @@
 // Variants of a model for other questions: without a part, or driven by the recorded commands of
 // another run.
 
+#include <cassert>
 #include <limits>
 #include <utility>
 
@@ -9,6 +10,7 @@
 namespace rotorub {
 
 Model without_coils(Model model) {
+  assert(model.layout.control_states == 0);
   const int kept = model.layout.coil();
   model.layout.coils = 0;
   for (AuxiliaryBearing& bearing : model.auxiliary) bearing.coil = kAbsent;
@@ -49,6 +51,7 @@ Model without_offsets(Model model) {
 }
 
 Model without_controller(Model model) {
+  assert(model.layout.control_states == 0);
   for (AuxiliaryBearing& bearing : model.auxiliary) {
     bearing.controller.reset();
     bearing.loop.reset();

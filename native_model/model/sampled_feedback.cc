@@ -57,8 +57,8 @@ void ask_library(const Model& m, const SampledFeedback& s, double t, const doubl
 
 // s, the exact k T next to t. Steps and sums of steps reach k T only up to round-off, and so does a
 // time in the scene.
-double instant_of(const SampledFeedback& s, double t) {
-  return std::round(t / s.sample_time) * s.sample_time;
+double instant_of(double sample_time, double t) {
+  return std::round(t / sample_time) * sample_time;
 }
 
 bool bearing_works(const Model& m, const SampledFeedback& s, std::size_t bearing, double time) {
@@ -100,7 +100,7 @@ void take_sample(const Model& m, const SampledFeedback& s, double t, const doubl
   const int n = static_cast<int>(law.states()), ports = static_cast<int>(law.ports());
   const int queue = ports * s.delay;
   double *state = v + s.state, *held = v + s.command;
-  const double instant = instant_of(s, t);
+  const double instant = instant_of(s.sample_time, t);
   if (!works_at(m, s, instant)) {
     std::fill_n(state, n, 0.0);
     std::fill_n(held, queue + ports, 0.0);
@@ -134,7 +134,7 @@ void take_sample(const Model& m, const SampledFeedback& s, double t, const doubl
 void begin_samples(const Model& m, double t, const double* q, double* v) {
   constexpr double kDue = 1e-6;  // share of the sample time by which a sum of steps misses a sample
   for (const SampledFeedback& s : m.samplers) {
-    const double instant = instant_of(s, t);
+    const double instant = instant_of(s.sample_time, t);
     if (std::abs(t - instant) > kDue * s.sample_time) continue;
     if (!works_at(m, s, instant) || !begins_at(m, s, instant)) continue;
     double deflection[kMaxPorts];
@@ -192,8 +192,8 @@ void take_samples_in_step(const Model& m, double t, double h, const double* q, d
   }
 }
 
-bool falls_on_sample(const SampledFeedback& s, double t) {
-  return std::abs(t - instant_of(s, t)) < kSampleRoundOff * s.sample_time;
+bool falls_on_sample(double sample_time, double t) {
+  return std::abs(t - instant_of(sample_time, t)) < kSampleRoundOff * sample_time;
 }
 
 std::string sample_refusal(const Model& m, double step) {

@@ -36,8 +36,8 @@ bool take_samples(const Model& model, double t, double h, const double* q, doubl
 void take_samples_in_step(const Model& model, double t, double h, const double* q, double* v,
                           double* f);
 
-// True if the control takes a sample at t (s), up to round-off.
-bool falls_on_sample(const SampledFeedback& sampled, double t);
+// True if a control with this sample time (s) takes a sample at t (s), up to round-off.
+bool falls_on_sample(double sample_time, double t);
 
 // The reason why time steps of this length (s) miss samples; empty if they do not.
 std::string sample_refusal(const Model& model, double step);

@@ -90,7 +90,9 @@ void BranchCorrector::place(const Model& model, BranchPoint& at) const {
   const Forcing forcing = forcing_of(model);
   if (!autonomous_) at.motion.period = periods_ * forcing.period;
   if (forcing.period > 0.0) {
-    const double early = forcing.settled / forcing.period - phase_;
+    // Not earlier than the first motion, whose ramps and triggers have passed.
+    const double from = std::max(forcing.settled, start_.motion.start.t);
+    const double early = from / forcing.period - phase_;
     at.motion.start.t = (phase_ + std::max(0.0, std::ceil(early))) * forcing.period;
   }
   ReturnMap(model).project(at.motion.start, at.motion.held);

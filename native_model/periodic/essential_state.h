@@ -1,7 +1,8 @@
 // The part of the state that determines a motion. Some entries of y = (q, v) do not act back on any
 // other: the spin angle if no load or eccentricity is fixed to the rotor, the angle of a ring that
-// turns, and the coordinates whose rates are the states (bristles, integrators, coils; see
-// model/model.h). A motion is periodic if all other entries return.
+// turns, the coordinates whose rates are the states (bristles, integrators, coils; see
+// model/model.h), and clocks in the memory of a sampled controller. A motion is periodic if all
+// other entries return.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,7 +26,12 @@ class EssentialState {
   // Sizes of all 2 nq entries of y, > 0, in the units of y, from typical states `motion` of 2 nq
   // values each: the clearance, or the largest displacement if it is larger; the largest speed of
   // displacements; 1 rad and the largest angular speed; and the largest value of each other state.
+  // The memory of a sampled controller that is not essential has an infinite size.
   static Eigen::VectorXd sizes(const Model& model, const std::vector<const double*>& motion);
+  // Memory of sampled controllers may be near 0 in the whole motion. Its sizes become at least what
+  // the next sample after t (s) at y (2 nq) makes of changes of the other states by their sizes.
+  static void widen_control_states(const Model& model, double t, const std::vector<double>& y,
+                                   Eigen::VectorXd& sizes);
 
  private:
   std::vector<int> entries_;

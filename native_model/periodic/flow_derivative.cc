@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "native_model/model/control_states.h"
 #include "native_model/model/dynamics.h"
 #include "native_model/model/sampled_feedback.h"
 #include "native_model/periodic/contact_gradients.h"
@@ -34,8 +35,12 @@ constexpr double kGrazing = 1e-10;
 // memory between samples, so the memory is still that of the stretch's start.
 std::vector<double> before_samples(const Model& m, const Stretch& stretch, const Stretch& next) {
   std::vector<double> y = next.y;
-  const std::ptrdiff_t first = m.nq() + m.sampled_states(), end = m.nq() + m.layout.coil();
-  std::copy(stretch.y.begin() + first, stretch.y.begin() + end, y.begin() + first);
+  const auto keep = [&](int first, int end) {
+    std::copy(stretch.y.begin() + m.nq() + first, stretch.y.begin() + m.nq() + end,
+              y.begin() + m.nq() + first);
+  };
+  keep(m.sampled_states(), m.layout.coil());
+  keep(m.layout.control_state(), m.nq());
   return y;
 }
 
@@ -138,24 +143,38 @@ void FlowDerivative::pass(const Stretch& s, const ContactStates& states, Eigen::
 // Passes the samples that are taken at t (s). before: the state before them.
 void FlowDerivative::sample(double t, const std::vector<double>& before, Eigen::MatrixXd& w) {
   const int nq = model_->nq();
-  for (const SampledFeedback& s : model_->samplers) {
-    if (!falls_on_sample(s, t)) continue;
+  // The changes of all states v by the sample take(q, v), one column per direction.
+  const auto changes = [&](const auto& take) {
+    const Eigen::Map<const Eigen::VectorXd> y(before.data(), n_);
+    Eigen::MatrixXd change = w.middleRows(nq, nq);
     for (Eigen::Index j = 0; j < w.cols(); ++j) {
       const double eps = share_of(w.col(j));
       if (eps == 0.0) continue;
-      const Eigen::Map<const Eigen::VectorXd> y(before.data(), n_);
-      Eigen::VectorXd change = Eigen::VectorXd::Zero(nq);
+      change.col(j).setZero();
       for (const Node& node : kNodes) {
         Eigen::VectorXd at = y + node.at * eps * w.col(j).head(n_);
-        take_sample(*model_, s, t, at.data(), at.data() + nq);
-        change += node.weight / eps * at.tail(nq);
+        take(at.data(), at.data() + nq);
+        change.col(j) += node.weight / eps * at.tail(nq);
       }
-      const auto put = [&](int first, Eigen::Index count) {
-        w.col(j).segment(nq + first, count) = change.segment(first, count);
-      };
-      put(s.command, s.law.ports() * (1 + s.delay));
-      put(s.state, s.law.states());
     }
+    return change;
+  };
+  const auto put = [&](const Eigen::MatrixXd& change, int first, Eigen::Index count) {
+    w.middleRows(nq + first, count) = change.middleRows(first, count);
+  };
+  for (std::size_t k = 0; k < model_->auxiliary.size(); ++k) {
+    const AuxiliaryBearing& at = model_->auxiliary[k];
+    if (!has_control_states(at) || !falls_on_sample(at.sample_time, t)) continue;
+    const Eigen::MatrixXd change =
+        changes([&](const double* q, double* v) { take_control_sample(*model_, k, t, q, v); });
+    put(change, at.control_state, control_states(at));
+  }
+  for (const SampledFeedback& s : model_->samplers) {
+    if (!falls_on_sample(s.sample_time, t)) continue;
+    const Eigen::MatrixXd change =
+        changes([&](const double* q, double* v) { take_sample(*model_, s, t, q, v); });
+    put(change, s.command, s.law.ports() * (1 + s.delay));
+    put(change, s.state, s.law.states());
   }
 }
 

@@ -16,9 +16,9 @@
 //   touch        compliant contact: h = g_N, R = 1, except for a of the touch (compliance.h), which
 //                depends on its speed and is an entry of w
 //   slip ends    h = gdot_T, R = 1: sticking, or slip the other way
-//   sample       of a control of magnetic bearings: w+ = S_y w, with the sample y+ = S(y)
-//                (model/sampled_feedback.h), by the same differences; a motion that begins or ends
-//                at a sample is not supported
+//   sample       of a control: w+ = S_y w, with the sample y+ = S(y) (model/sampled_feedback.h,
+//                model/control_states.h), by the same differences; a motion that begins or ends at
+//                a sample is not supported
 //   other ends   of lasting contact (lambda_N = 0), of sticking (|lambda_T| = mu lambda_N) and of a
 //                compliant force: f- = f+, so w does not jump
 //

@@ -4,8 +4,11 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "native_model/control/magnetic_library.h"
+#include "native_model/model/control_states.h"
 #include "native_model/periodic/essential_state.h"
 
 namespace rotorub::periodic {
@@ -28,13 +31,14 @@ double latest_switch(const Model& m) {
   for (const StationFeedback& f : m.feedbacks) {
     for (const double t : f.works.all()) meet(t);
   }
-  for (const SampledFeedback& s : m.samplers) latest += s.sample_time;  // its first sample differs
   if (m.base) std::ranges::for_each(m.base->breaks(), meet);
   for (const AuxiliaryBearing& at : m.auxiliary) {
     if (!at.controller) continue;
     meet(at.control_on);
     for (const double t : at.controller->breaks(at.control_on)) meet(t);
   }
+  // The first sample of a control differs from the others.
+  for (const double sample_time : sample_times(m)) latest += sample_time;
   return latest;
 }
 
@@ -65,9 +69,6 @@ std::optional<double> common_period(const std::vector<double>& all) {
   return {};
 }
 
-// The number of samples in a period (s); it need not be whole.
-double samples_in(double period, const SampledFeedback& s) { return period / s.sample_time; }
-
 std::string refusal_of(const Model& m, const std::vector<double>& of_loads) {
   const auto lasts = [](const AppliedForce& f) {
     const bool passes = f.kind == scene::ForceKind::kChirp || f.kind == scene::ForceKind::kPulse;
@@ -80,13 +81,27 @@ std::string refusal_of(const Model& m, const std::vector<double>& of_loads) {
     return "a motion of the base without an end is not supported";
   }
   if (m.drive_follows()) return "a speed-controlled drive is not supported";
-  if (!m.samplers.empty() && of_loads.empty()) {
-    return "a sampled control of a magnetic bearing has no period in common with a motion without "
-           "loads; add an unbalance or a rotating force, or use kind = \"pid\" without sample_time";
+  const std::vector<double> samples = sample_times(m);
+  if (!samples.empty() && of_loads.empty() && spin_angle_acts(m)) {
+    return "a sampled control has no period in common with a motion whose period follows from the "
+           "free spin; hold the spin, or use a control without sample_time";
+  }
+  if (!samples.empty() && of_loads.empty()) {
+    return "a sampled control has no period in common with a motion without loads; add an "
+           "unbalance or a rotating force, or use a control without sample_time";
+  }
+  constexpr const char* kLeftOut =
+      "this command does not run the user's control law, so the motion is unknown";
+  for (const SampledFeedback& s : m.samplers) {
+    if (s.library && s.library->is_left_out()) return kLeftOut;
   }
   for (const AuxiliaryBearing& at : m.auxiliary) {
-    if (at.loop || at.recorded)
-      return "sampled controllers and recorded commands are not supported";
+    if (at.recorded) return "recorded commands are not supported";
+    if (at.loop && !has_control_states(at)) {
+      return "the coordinates and the memories of the sampled controllers are more than " +
+             std::to_string(kMaxCoordinates) + " numbers; shorten the delays";
+    }
+    if (at.controller && at.controller->is_left_out()) return kLeftOut;
     if (at.contact && at.contact->impact_time() > 0.0) {
       return "impacts that take time are not supported";
     }
@@ -97,24 +112,58 @@ std::string refusal_of(const Model& m, const std::vector<double>& of_loads) {
   if (!of_loads.empty() && !common_period(of_loads)) {
     return "the frequencies of the loads have no common period";
   }
-  const auto is_split = [&](const SampledFeedback& s) {
-    const double samples = samples_in(*common_period(of_loads), s);
-    return std::abs(samples - std::round(samples)) > kSameFrequency * samples;
+  const auto is_split = [&](double sample_time) {
+    const double count = *common_period(of_loads) / sample_time;
+    return std::abs(count - std::round(count)) > kSameFrequency * count;
   };
-  if (std::ranges::any_of(m.samplers, is_split)) {
-    return "a sample time of a magnetic bearing does not divide the period of the loads";
+  if (std::ranges::any_of(samples, is_split)) {
+    return "a sample time of a control does not divide the period of the loads";
   }
   return "";
 }
 
 }  // namespace
 
-Model with_whole_samples(Model m) {
+std::vector<double> sample_times(const Model& m) {
+  std::vector<double> all;
+  for (const SampledFeedback& s : m.samplers) all.push_back(s.sample_time);
+  for (const AuxiliaryBearing& at : m.auxiliary) {
+    if (at.loop) all.push_back(at.sample_time);
+  }
+  return all;
+}
+
+double between_samples(const Model& m, double t) {
+  const std::vector<double> all = sample_times(m);
+  if (all.empty()) return t;
+  const double longest = std::ranges::max(all);
+  std::vector<double> samples;
+  for (const double sample_time : all) {
+    for (double k = std::floor(t / sample_time); k * sample_time < t + 2.0 * longest; ++k)
+      samples.push_back(k * sample_time);
+  }
+  std::ranges::sort(samples);
+  double best = t, gap = 0.0;
+  for (std::size_t k = 0; k + 1 < samples.size(); ++k) {
+    const double middle = 0.5 * (samples[k] + samples[k + 1]);
+    if (middle < t || samples[k + 1] - samples[k] <= (1.0 + kSameFrequency) * gap) continue;
+    best = middle;
+    gap = samples[k + 1] - samples[k];
+  }
+  return best;
+}
+
+Model with_repeating_controls(Model m) {
+  m = with_control_states(std::move(m));
   const std::vector<double> of_loads = frequencies(m);
   const std::optional<double> period = of_loads.empty() ? std::nullopt : common_period(of_loads);
   if (!period) return m;
-  for (SampledFeedback& s : m.samplers) {
-    s.sample_time = *period / std::max(1.0, std::round(samples_in(*period, s)));
+  const auto fit = [&](double& sample_time) {
+    sample_time = *period / std::max(1.0, std::round(*period / sample_time));
+  };
+  for (SampledFeedback& s : m.samplers) fit(s.sample_time);
+  for (AuxiliaryBearing& at : m.auxiliary) {
+    if (at.loop) fit(at.sample_time);
   }
   return m;
 }

@@ -4,11 +4,12 @@
 // explicit time dependence is autonomous: the period of its motions is unknown. If its spin is free
 // and something is fixed to the rotor, the spin angle grows by whole turns in a period.
 //
-// Controls of magnetic bearings that are sampled repeat with their sample time, which must divide
-// the period of the loads. with_whole_samples() sees to this.
+// Sampled controls repeat with their sample time, which must divide the period of the loads.
+// with_repeating_controls() sees to this.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "native_model/model/model.h"
 
@@ -25,9 +26,18 @@ struct Forcing {
 
 Forcing forcing_of(const Model& model);
 
-// The model in which each sampled control has the sample time nearest to its own that divides the
-// period of the loads, as if the clock of its processor ran a little faster or slower. Unchanged
-// without loads.
-Model with_whole_samples(Model model);
+// s, of all sampled controls, those of magnetic bearings before those of rings.
+std::vector<double> sample_times(const Model& model);
+
+// s, >= t: the middle of the longest time without samples soon after t (s); t if nothing is
+// sampled. Runs and periods begin and end there, so that round-off does not decide on which side a
+// sample is.
+double between_samples(const Model& model, double t);
+
+// The model for a search of periodic motions. Each sampled control has the sample time nearest to
+// its own that divides the period of the loads, as if the clock of its processor ran a little
+// faster or slower; without loads it keeps its own. The memories of the rings' controllers are
+// states, with exact sensors (with_control_states).
+Model with_repeating_controls(Model model);
 
 }  // namespace rotorub::periodic

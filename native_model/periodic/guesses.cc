@@ -123,14 +123,6 @@ double best_instant(const MotionRecord& motion) {
   return best;
 }
 
-// s, the middle between the samples about t, so that round-off does not decide whether a period
-// begins before or after a sample.
-double between_samples(const Model& m, double t) {
-  if (m.samplers.empty()) return t;
-  const auto shortest = std::ranges::min_element(m.samplers, {}, &SampledFeedback::sample_time);
-  return (std::floor(t / shortest->sample_time) + 0.5) * shortest->sample_time;
-}
-
 // Fills in the period, from a state that a motion has at its time. longest: s, see return_time.
 void find_period(const Model& m, int periods, double longest, const EventParameters& parameters,
                  Guess& guess) {

@@ -52,7 +52,11 @@ MotionRecord record_motion(const Model& model, const State& start, double end,
 Eigen::VectorXd sizes_along(const Model& model, const MotionRecord& motion) {
   std::vector<const double*> states{motion.start.data(), motion.end.data()};
   for (const Stretch& s : motion.stretches) states.push_back(s.y.data());
-  return EssentialState::sizes(model, states);
+  Eigen::VectorXd sizes = EssentialState::sizes(model, states);
+  if (motion.status == Status::kOk) {
+    EssentialState::widen_control_states(model, motion.end_time, motion.end, sizes);
+  }
+  return sizes;
 }
 
 }  // namespace rotorub::periodic

@@ -64,6 +64,7 @@ const char* to_string(SearchStatus status) {
 
 std::vector<std::complex<double>> floquet_multipliers(const ReturnDerivative& d, bool autonomous) {
   const Eigen::MatrixXd map = d.basis.transpose() * d.image;
+  if (!map.allFinite()) return {};
   auto all = real_eigenvalues(map);
   if (!all) return {};
   if (autonomous && !all->empty()) {

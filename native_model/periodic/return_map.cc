@@ -22,10 +22,20 @@ Eigen::VectorXd ReturnMap::scaled(const Eigen::VectorXd& y, const Eigen::VectorX
 Return ReturnMap::at(const State& start, double period, int turns) const {
   Return to;
   to.residual = std::numeric_limits<double>::infinity();
+  if (start.q.size() != model_->nq()) {
+    to.status = Status::kNoSolution;
+    to.message = "the controllers remember a different number of values here";
+    return to;
+  }
   to.motion = record_motion(*model_, start, start.t + period, parameters_);
   to.status = to.motion.status;
   to.message = to.motion.message;
-  to.sizes = sizes_along(*model_, to.motion);
+  try {
+    to.sizes = sizes_along(*model_, to.motion);
+  } catch (const ControllerError& error) {  // the law fails close to the motion
+    to.status = Status::kControllerFailed;
+    to.message = error.what();
+  }
   if (to.status != Status::kOk) return to;
   to.change =
       scaled(frame_.seen(as_vector(to.motion.end), period) - as_vector(to.motion.start), to.sizes);
@@ -56,13 +66,18 @@ ReturnDerivative ReturnMap::derivative(const Return& point, const HeldContacts& 
     w.row(at) = point.sizes[at] * d.basis.row(i);
   }
   FlowDerivative flow(*model_, point.sizes, parameters_);
-  w = flow.along(point.motion, w);
-  d.grazes = flow.grazes();
+  try {
+    w = flow.along(point.motion, w);
+    d.grazes = flow.grazes();
+  } catch (const ControllerError&) {  // the law fails close to the motion: no derivative
+    w.setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
   d.image.resize(n, w.cols());
   const MotionRecord& m = point.motion;
   const double period = m.end_time - m.begin_time;
   for (Eigen::Index j = 0; j < w.cols(); ++j)
     d.image.col(j) = scaled(frame_.seen(w.col(j), period), point.sizes);
+  zero_rows_of_settings(d);
   const auto slope = [&](const std::vector<double>& y, const Eigen::VectorXd& rates, double after) {
     return scaled(frame_.slope_seen(frame_.seen(as_vector(y), after), frame_.seen(rates, after)),
                   point.sizes);
@@ -70,6 +85,17 @@ ReturnDerivative ReturnMap::derivative(const Return& point, const HeldContacts& 
   d.start_slope = slope(m.start, flow.slope(m.begin_time, m.start, m.first), 0.0);
   d.end_slope = slope(m.end, flow.slope(m.end_time, m.end, m.last), period);
   return d;
+}
+
+// Entries in the memory of a controller that no sample changes are settings, not states. Such an
+// entry keeps its value, so its row of P' is that of the identity, and P' - 1 would be singular.
+void ReturnMap::zero_rows_of_settings(ReturnDerivative& d) const {
+  constexpr double kSame = 1e-9;
+  for (Eigen::Index i = 0; i < d.image.rows(); ++i) {
+    const int at = essential_.entries()[static_cast<std::size_t>(i)];
+    if (at < model_->nq() + model_->layout.control_state()) continue;
+    if ((d.image.row(i) - d.basis.row(i)).cwiseAbs().maxCoeff() < kSame) d.image.row(i).setZero();
+  }
 }
 
 State ReturnMap::moved(const State& from, const Eigen::VectorXd& sizes,

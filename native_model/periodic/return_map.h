@@ -65,6 +65,7 @@ class ReturnMap {
   void project(State& state, const HeldContacts& held) const;
 
  private:
+  void zero_rows_of_settings(ReturnDerivative& d) const;
   Eigen::VectorXd scaled(const Eigen::VectorXd& y, const Eigen::VectorXd& sizes) const;
 
   const Model* model_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,6 +47,7 @@ class Check {
         continue;
       }
       Return back = map_->at(begun.guess.start, begun.guess.period, begun.guess.turns);
+      if (back.status != Status::kOk) why_ = back.message;
       // Finding the guess took about twice as many.
       stretches_ += 3 * static_cast<std::int64_t>(back.motion.stretches.size());
       closest = std::min(closest, back.residual);
@@ -179,6 +181,16 @@ bool is_at_rest(const Model& m, const State& at, double duration) {
   return true;
 }
 
+// The start with empty memories of the sampled controllers if it has none.
+State with_memories(const Model& m, State start) {
+  const Eigen::Index given = start.q.size(), added = m.nq() - given;
+  for (Eigen::VectorXd* entries : {&start.q, &start.v}) {
+    entries->conservativeResize(m.nq());
+    entries->tail(added).setZero();
+  }
+  return start;
+}
+
 SettledMotion refused(std::string why) {
   SettledMotion none;
   none.refusal = std::move(why);
@@ -202,9 +214,9 @@ SettledMotion settled_motion(const Model& m, const State& start, const SettlingP
   const double begin = std::max(start.t, map.forcing().settled);
   Check check(map, p);
   for (int k = 0; k < p.most_checks && !check.is_exhausted(); ++k) {
-    const double end = begin + p.duration * std::exp2(k);
+    const double end = between_samples(m, begin + p.duration * std::exp2(k));
     if (k == 0) {
-      run.begin(start, end, recorder);
+      run.begin(with_memories(m, start), end, recorder);
     } else {
       run.extend_end(end);
     }
@@ -224,9 +236,9 @@ SettledMotion settled_motion(const Model& m, const State& start, const SettlingP
   }
   std::string why = "no periodic motion after " + in_seconds(run.now());
   if (std::isfinite(check.nearest())) {
-    std::string nearest = std::to_string(100.0 * check.nearest());
-    nearest.resize(nearest.find('.') + 3);
-    why += " (the run repeats to within " + nearest + " % over at most " +
+    char nearest[40];
+    std::snprintf(nearest, sizeof nearest, "%.2g", 100.0 * check.nearest());
+    why += std::string(" (the run repeats to within ") + nearest + " % over at most " +
            std::to_string(p.most_periods) + (p.most_periods == 1 ? " period)" : " periods)");
   } else if (!check.why().empty()) {
     why += " (" + check.why() + ")";

@@ -35,7 +35,8 @@ struct SettledMotion {
   bool found() const { return refusal.empty(); }
 };
 
-// start: at its time; see initial_state().
+// start: at its time; see initial_state(). It may lack the states of with_control_states(): the
+// sampled controllers then begin there.
 SettledMotion settled_motion(const Model& model, const State& start,
                              const SettlingParameters& parameters = {});
 

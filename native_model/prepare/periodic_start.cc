@@ -54,7 +54,10 @@ State at_phase_of_start(const Model& m, const periodic::PeriodicMotion& motion) 
   }
   state.t = 0.0;
   const Layout& l = m.layout;
-  state.q.tail(l.nq() - l.ring_angle()).setZero();  // these coordinates do not act
+  // The controllers of the scene begin with an empty memory.
+  state.q.conservativeResize(l.control_state());
+  state.v.conservativeResize(l.control_state());
+  state.q.tail(l.control_state() - l.ring_angle()).setZero();  // these coordinates do not act
   if (l.spin) state.q[l.phi()] = std::remainder(state.q[l.phi()], 2.0 * std::numbers::pi);
   return state;
 }
@@ -83,7 +86,8 @@ std::vector<NamedStart> starts_near_rubs(const scene::Scene& scene, const Model&
 
 State state_on_periodic_rub(const scene::Scene& scene, const scene::SceneError& no_form) {
   constexpr std::int64_t kMostStretches = 500'000;  // of all starts together
-  const Model m = periodic::with_whole_samples(model_without_start(scene));
+  constexpr int kMoreForSamples = 4;  // each ends a stretch, which is then cheaper than others
+  const Model m = periodic::with_repeating_controls(model_without_start(scene));
   if (!m.has_contact()) throw no_form;
   const std::string refusal = periodic::forcing_of(m).refusal;
   if (!refusal.empty()) refuse_with(no_form, refusal);
@@ -91,13 +95,23 @@ State state_on_periodic_rub(const scene::Scene& scene, const scene::SceneError& 
   periodic::SettlingParameters parameters;
   parameters.duration = scene.run.end;
   parameters.most_stretches = kMostStretches / static_cast<std::int64_t>(starts.size());
+  if (!periodic::sample_times(m).empty()) parameters.most_stretches *= kMoreForSamples;
   std::string found;
   for (const NamedStart& start : starts) {
     periodic::SettledMotion settled = periodic::settled_motion(m, start.state, parameters);
-    const std::string kind =
-        settled.found() ? periodic::periodic_rub(m, settled).kind : "no periodic motion";
-    if (kind == kind_asked(scene.initial.rub)) return at_phase_of_start(m, settled.motion);
-    found += (found.empty() ? "the run from " : ", from ") + start.name + " settles to " + kind;
+    const auto kind_of = [&m](const periodic::SettledMotion& motion) {
+      return motion.found() ? periodic::periodic_rub(m, motion).kind : "no periodic motion";
+    };
+    std::string kind = kind_of(settled), name = start.name;
+    if (kind == kind_asked(scene.initial.rub)) {
+      const State begin = at_phase_of_start(m, settled.motion);
+      if (m.layout.control_states == 0) return begin;
+      // The controllers begin with empty memories, which may end the rub.
+      kind = kind_of(periodic::settled_motion(m, begin, parameters));
+      if (kind == kind_asked(scene.initial.rub)) return begin;
+      name = "this rub with controllers that begin at t = 0";
+    }
+    found += (found.empty() ? "the run from " : ", from ") + name + " settles to " + kind;
   }
   refuse_with(no_form, found);
 }

@@ -12,10 +12,12 @@
 #include "compare/modes/periodic_rubs_text.h"
 #include "compare/modes/result.h"
 #include "compare/modes/rotor_analysis.h"
+#include "native_model/control/library_file.h"
 #include "native_model/periodic/motion_record.h"
 #include "native_model/periodic/return_map.h"
 #include "native_model/prepare/prepare.h"
 #include "tests/native_model/periodic/bounce_once_a_turn.h"
+#include "tests/native_model/periodic/sampled_ring.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub {
@@ -181,6 +183,30 @@ TEST(PeriodicRubs, AShaftInTwoRingsNightly) {
   const nlohmann::json& rub = printed.at("rubs").at(0);
   EXPECT_EQ(rub.at("contacts").size(), 2u);
   EXPECT_EQ(rub.at("contact"), rub.at("contacts").at(found.contact).at("name"));
+}
+
+TEST(PeriodicRubs, SayWhatTheyChangeInASampledControl) {
+  const Words law{"rotor.speed=\"52.5 Hz\"",
+                  "controller.kind=\"cross_coupled\"",
+                  "controller.feedback=[300.0]",
+                  "controller.damping=300.0",
+                  "controller.sensors.delay=\"400 us\"",
+                  "controller.sensors.position_noise=1e-7"};
+  const PeriodicRubs all = lasting_rubs_by_shooting(test::sampled_ring(law));
+  ASSERT_FALSE(all.rubs.empty());
+  EXPECT_EQ(all.rubs[0].kind, "synchronous rub");
+  EXPECT_EQ(all.sampling,
+            "The sample time of the control is 200.5013 instead of 200 us, so that it divides the "
+            "period of the loads. The search ignores the noise and the resolution of the sensors.");
+}
+
+TEST(PeriodicRubs, AreRefusedWithALawThatIsNotRun) {
+  set_scene_libraries(SceneLibraries::kLeftOut);
+  const PeriodicRubs none = lasting_rubs_by_shooting(
+      test::sampled_ring({"controller.kind=\"library\"", "controller.library=\"law.so\""}));
+  set_scene_libraries(SceneLibraries::kAsked);
+  EXPECT_EQ(none.refused,
+            "this command does not run the user's control law, so the motion is unknown");
 }
 
 TEST(PeriodicRubs, SayWhyThereIsNone) {

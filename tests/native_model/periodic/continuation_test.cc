@@ -6,6 +6,7 @@
 #include <complex>
 #include <iterator>
 #include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "native_model/prepare/prepare.h"
 #include "tests/native_model/periodic/bounce_once_a_turn.h"
 #include "tests/native_model/periodic/first_guesses.h"
+#include "tests/native_model/periodic/sampled_ring.h"
 #include "tests/support/native_run.h"
 #include "tests/support/whip.h"
 
@@ -272,6 +274,35 @@ TEST(Continuation, OfTheSynchronousRubOverTheSpeed) {
   EXPECT_NEAR(folds[0].parameter, 707.6856016, 1e-5);
   const Model at_fold = model_at(folds[0].parameter);
   EXPECT_NEAR(period_figures(at_fold, folds[0].motion).contacts[0].mean_force, 128.75786, 1e-2);
+}
+
+// The number of samples in a period falls from 104 to 89 along the branch.
+TEST(Continuation, OfASampledControllerOverTheSpeed) {
+  const std::vector<std::string> law = test::sampled_laws()[2];
+  const auto model_at = [&](double speed) {
+    scene::Scene scene = test::sampled_ring(law);
+    scene.rotor.speed = speed;
+    return with_repeating_controls(make_model(scene));
+  };
+  const auto settled_at = [&](double speed) {
+    const Model model = model_at(speed);
+    return settled_motion(model, initial_state(model), {.duration = 0.4});
+  };
+  ContinuationParameters settings;
+  settings.lowest = kTurn * 48.0;
+  settings.highest = kTurn * 56.0;
+  settings.scale = 10.0;
+  settings.longest_step = 1.0;
+  const SettledMotion begin = settled_at(settings.lowest);
+  ASSERT_TRUE(begin.found()) << begin.refusal;
+  const Branch branch = continue_branch(model_at, settings.lowest, begin.motion, settings);
+  EXPECT_EQ(branch.end, "the parameter leaves its range");
+  const BranchPoint& last = branch.points.back();
+  const SettledMotion end = settled_at(last.parameter);
+  ASSERT_TRUE(end.found()) << end.refusal;
+  const Model model = model_at(last.parameter);
+  const double force = period_figures(model, last.motion).contacts[0].mean_force;
+  EXPECT_NEAR(force, period_figures(model, end.motion).contacts[0].mean_force, 1e-8 * force);
 }
 
 }  // namespace

@@ -1,19 +1,23 @@
 // Periodic motions against closed forms.
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "native_model/control/quadratic.h"
 #include "native_model/linear/rub_map.h"
+#include "native_model/model/linear_plant.h"
 #include "native_model/oracles/annular_rub.h"
 #include "native_model/periodic/period_figures.h"
 #include "native_model/periodic/periodic_motion.h"
 #include "native_model/prepare/prepare.h"
 #include "tests/native_model/periodic/bounce_once_a_turn.h"
 #include "tests/native_model/periodic/first_guesses.h"
+#include "tests/native_model/periodic/sampled_ring.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
 #include "tests/support/whip.h"
@@ -162,6 +166,29 @@ TEST(PeriodicMotion, ARunOfTheBenchRingSettlesToItsRub) {
   EXPECT_NEAR(figures.mean_force, rub->force, 1e-8 * rub->force);
   const double torque = 0.15 * 0.05 * rub->force;  // N m, of friction
   EXPECT_NEAR(found.start.v[2], scene.drive->speed - torque / 0.5, 1e-8 * scene.drive->speed);
+}
+
+// Without contact x_{k+1} = (A - B K) x_k plus the load; the held command follows from x_k.
+TEST(PeriodicMotion, ASampledLqrHasTheMultipliersOfItsClosedLoop) {
+  const scene::Scene scene = test::sampled_ring({"controller.kind=\"lqr\""}, 2.0);
+  const Model given = prepare(scene), model = with_repeating_controls(given);
+  const QuadraticDesign d = quadratic_design(scene, 0, plant_of(given, 0, scene.rotor.speed));
+  const Eigen::MatrixXd of_sample = d.plant.a - d.plant.b * d.gain;
+  Eigen::MatrixXd of_turn = Eigen::MatrixXd::Identity(8, 8);
+  for (int k = 0; k < 100; ++k) of_turn = (of_sample * of_turn).eval();
+
+  const FoundGuess begun = guess_from_run(model, 0.2);
+  ASSERT_EQ(begun.status, Status::kOk) << begun.message;
+  const PeriodicMotion found = find_periodic_motion(model, begun.guess);
+  ASSERT_TRUE(found.found()) << found.message;
+  EXPECT_TRUE(found.stable);
+  EXPECT_EQ(found.multipliers.size(), 10u) << "eight states and two held commands";
+  for (const Complex& expected : of_turn.eigenvalues()) {
+    double nearest = 1e300;
+    for (const Complex& m : found.multipliers) nearest = std::min(nearest, std::abs(m - expected));
+    EXPECT_LT(nearest, 1e-9) << expected;
+  }
+  EXPECT_GT(std::abs(found.multipliers[0]), 1e-3);
 }
 
 TEST(PeriodicMotion, RefusesWhatDoesNotRepeat) {

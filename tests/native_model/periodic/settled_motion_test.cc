@@ -6,12 +6,14 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "native_model/periodic/forcing.h"
 #include "native_model/periodic/return_map.h"
 #include "native_model/prepare/prepare.h"
 #include "tests/native_model/periodic/bounce_once_a_turn.h"
 #include "tests/native_model/periodic/levitated_rotor.h"
+#include "tests/native_model/periodic/sampled_ring.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub::periodic {
@@ -116,7 +118,7 @@ TEST(SettledMotion, AFreeOrbitIsSeenAtRest) {
 TEST(SettledMotion, OfSampledMagneticBearings) {
   scene::Scene scene = test::levitated_rotor();
   scene.rotor.speed = 2.0 * std::numbers::pi * 70.0;
-  const Model given = prepare(scene), model = with_whole_samples(given);
+  const Model given = prepare(scene), model = with_repeating_controls(given);
   EXPECT_NE(forcing_of(given).refusal, "");
   const double period = 1.0 / 70.0;
   EXPECT_NEAR(model.samplers[0].sample_time, period / 286.0, 1e-16);
@@ -126,6 +128,58 @@ TEST(SettledMotion, OfSampledMagneticBearings) {
   EXPECT_NEAR(found.motion.period, period, 1e-12);
   EXPECT_TRUE(found.motion.stable);
   EXPECT_LT(ReturnMap(model).at(found.motion.start, 5.0 * period, 0).residual, 1e-8);
+}
+
+TEST(SettledMotion, OfSampledControllersOfARing) {
+  std::vector<std::vector<std::string>> laws = test::sampled_laws();
+  laws.push_back(laws.front());
+  laws.back().emplace_back("controller.on=\"50 ms\"");
+  laws.back().emplace_back("controller.trigger.touch=true");
+  for (const std::vector<std::string>& law : laws) {
+    SCOPED_TRACE(testing::PrintToString(law));
+    const scene::Scene scene = test::sampled_ring(law);
+    const Model model = with_repeating_controls(prepare(scene));
+    const SettledMotion found = settled_motion(model, initial_state(model), {.duration = 0.4});
+    ASSERT_TRUE(found.found()) << found.refusal;
+    EXPECT_TRUE(found.motion.stable);
+    const double period = 5.0 * found.motion.period;
+    EXPECT_LT(ReturnMap(model).at(found.motion.start, period, 0).residual, 1e-8);
+    EXPECT_EQ(found.order, 1);
+  }
+}
+
+// 100 and 160 samples a turn: every fifth instant in the middle of the shorter time is a sample of
+// the other ring.
+TEST(SettledMotion, OfTwoSampledRings) {
+  std::string text = R"(
+[rotor]
+speed = "50 Hz"
+[rotor.modal]
+mass = [2.0, 3.0]
+stiffness = [2e5, 4e5]
+damping = [40.0, 60.0]
+[[force]]
+kind = "synchronous"
+amplitude = 150.0
+shape = [1.0, 0.5]
+)";
+  for (const char* rest : {"shape = [1.0, 1.0]\n|200 us", "shape = [-0.4, 1.0]\n|125 us"}) {
+    const std::string both = rest, shape = both.substr(0, both.find('|'));
+    text +=
+        "[[contact]]\nradius = 0.05\nclearance = \"0.5 mm\"\nfriction = 0.1\nrestitution = 0.3\n" +
+        shape +
+        "[contact.stator]\nmass = 1.0\ndamping = 200.0\nstiffness = 1e5\n"
+        "[contact.controller]\nkind = \"cross_coupled\"\nfeedback = [300.0]\n"
+        "damping = 300.0\nsample_time = \"" +
+        both.substr(both.find('|') + 1) + "\"\n";
+  }
+  const Model model = with_repeating_controls(prepare(scene::parse_scene(text, "two_rings")));
+  EXPECT_EQ(sample_times(model), (std::vector<double>{2e-4, 1.25e-4}));
+  const SettledMotion found = settled_motion(model, initial_state(model), {.duration = 0.4});
+  ASSERT_TRUE(found.found()) << found.refusal;
+  EXPECT_EQ(found.order, 1);
+  const double period = 5.0 * found.motion.period;
+  EXPECT_LT(ReturnMap(model).at(found.motion.start, period, 0).residual, 1e-8);
 }
 
 TEST(SettledMotion, OfAFreePeriodHasNoOrder) {

@@ -18,6 +18,7 @@
 #include "native_model/scene/reader.h"
 #include "tests/native_model/hard/rules.h"
 #include "tests/native_model/linear/rubs.h"
+#include "tests/native_model/periodic/sampled_ring.h"
 #include "tests/support/refusal.h"
 #include "tests/support/said.h"
 #include "tests/support/whip.h"
@@ -228,6 +229,16 @@ TEST(RubStart, UnderWeightIsAPeriodicRub) {
   const auto& force = t.column("normal_force");
   EXPECT_GT(*std::ranges::min_element(force), 100.0);
   EXPECT_LT(*std::ranges::max_element(force), 145.0);
+}
+
+// The memory of the controller begins empty, so the rub settles first.
+TEST(RubStart, WithASampledControllerIsARubOfThisKind) {
+  std::vector<std::string> changes = test::sampled_laws()[2];
+  changes.emplace_back("initial.rub=\"synchronous\"");
+  changes.emplace_back("gravity.acceleration=[0.0, -9.81]");
+  const Trajectory t = test::run_event(test::sampled_ring(changes));
+  EXPECT_GT(*std::ranges::min_element(t.column("normal_force")), 50.0);
+  EXPECT_NEAR(test::whirl_speed(t, t.rows() - 1), 100.0 * std::numbers::pi, 1.0);
 }
 
 TEST(RubStart, NamesWhatRunsSettleToIfThereIsNone) {
