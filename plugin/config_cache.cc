@@ -173,15 +173,22 @@ bool is_still_foreign(Known& known, const mjModel* m, const mjData* d, bool chec
 // contains nothing with a destructor.
 thread_local char raised_text[1000];
 
+// What a fingerprint and the numbers of a config do not contain. Throws ConfigError.
+void check_known(const mjModel* m, const Config& config) {
+  check_structure(m, config);
+  if (m->opt.timestep > 0.0) return;
+  refuse("<option>", message("timestep=\"{}\" must be > 0", m->opt.timestep));
+}
+
 const Config* look_up(const mjModel* m) {
   try {
     const Known* known = recent.find(m);
     if (known && known->config && fits(*known->config, m) && same_motion(*known->config, m)) {
-      check_structure(m, *known->config);
+      check_known(m, *known->config);
       return known->config.get();
     }
     ConfigPointer config = registry().find_or_make(m);
-    check_structure(m, *config);
+    check_known(m, *config);
     Known& made = recent.add(m, {std::move(config), {}, m->nbuffer, {}});
     made.image.take(m);
     return made.config.get();
@@ -194,6 +201,7 @@ const Config* look_up(const mjModel* m) {
 // True if the known config still belongs to m, whose numbers or whole structure may have been
 // edited.
 bool still_fits(Known& known, const mjModel* m) {
+  if (!same_motion(*known.config, m)) return false;
   if (known.image.equals(m)) return has_parameters(*known.config, m);
   if (!fits(*known.config, m)) return false;
   known.image.take(m);

@@ -47,9 +47,9 @@ void column(const mjModel* m, const mjData* d, double eps, int which, Nudge nudg
 
 Transition transition(const mjModel* m, const mjData* d, double eps) {
   if (!(eps > 0.0)) throw std::invalid_argument("rotorub: transition: eps must be above 0");
-  const Differentiating scope;
   const std::unique_ptr<mjData, void (*)(mjData*)> low(mj_makeData(m), mj_deleteData),
       high(mj_makeData(m), mj_deleteData);
+  const Differentiating scope(low.get(), high.get());
   Transition out;
   const int nv = count(m->nv), n = out.states = 2 * nv + count(m->na);
   out.controls = count(m->nu);

@@ -13,6 +13,25 @@
 namespace rotorub::plugin {
 namespace {
 
+// The same for what a sensor shows; some of it exists only in later versions of MuJoCo.
+template <typename Model, typename Part>
+void for_each_sensor_part(const Model* m, Part part) {
+  part(m->sensor_user, m->nsensor * m->nuser_sensor);
+  part(m->sensor_objtype, m->nsensor);
+  if constexpr (requires { m->sensor_reftype; }) {
+    part(m->sensor_reftype, m->nsensor);
+    part(m->sensor_refid, m->nsensor);
+  }
+#if mjVERSION_HEADER >= 335
+  part(m->sensor_intprm, mjNSENS * m->nsensor);
+#endif
+  if constexpr (requires { m->sensor_history; }) {
+    part(m->sensor_history, 2 * m->nsensor);
+    part(m->sensor_delay, m->nsensor);
+    part(m->sensor_interval, 2 * m->nsensor);
+  }
+}
+
 // Calls action(bytes, count) for each part of the fingerprint.
 template <typename Action>
 void for_each_part(const mjModel* m, Action action) {
@@ -38,6 +57,8 @@ void for_each_part(const mjModel* m, Action action) {
                        count(m->ntendon),
                        count(m->nwrap),
                        count(m->nsite),
+                       count(m->nuser_sensor),
+                       m->opt.cone,
                        collides_freely(m),
                        collides_pairs(m),
                        count(instances.size()),
@@ -62,6 +83,7 @@ void for_each_part(const mjModel* m, Action action) {
   part(m->sensor_type, m->nsensor); part(m->sensor_dim, m->nsensor);
   part(m->sensor_adr, m->nsensor); part(m->sensor_needstage, m->nsensor);
   part(m->sensor_objid, m->nsensor);
+  for_each_sensor_part(m, part);
   part(m->actuator_gaintype, actuator_count(m));
   part(m->actuator_biastype, actuator_count(m));
   part(m->actuator_dyntype, actuator_count(m));

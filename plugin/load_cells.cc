@@ -104,7 +104,8 @@ ContactForce force_of(const ContactPair& pair, const mjData* d, double since) {
   // Without a normal force there is no friction along the axis; an older note may have one.
   if (!(entry.normal_force > 0.0)) return f;
   const NotedContact* noted = noted_contact(d, pair.userdata);
-  if (!noted) return f;
+  // Entries that a copy or a written state brought here have other results.
+  if (!noted || noted->normal != entry.normal_force) return f;
   const double passed = d->time - noted->time;
   if (passed != 0.0 && (since == 0.0 || !is_next_step(passed, since, d->time))) return f;
   f.e_r = noted->e_r;

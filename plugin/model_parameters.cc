@@ -70,6 +70,14 @@ double limit_of(const Config& config, const mjModel* m, double otherwise) {
   const bool clamps = m->actuator_ctrllimited[a] && !(m->opt.disableflags & mjDSBL_CLAMPCTRL);
   return clamps ? m->actuator_ctrlrange[2 * a + 1] : otherwise;
 }
+// True if both actuators have the same limits -c and c, or none.
+bool limits_agree(const mjModel* m, const Config& config) {
+  const int a = control_address(m, config.actuator[0]), b = control_address(m, config.actuator[1]);
+  const mjtNum* first = m->actuator_ctrlrange + 2 * a;
+  const mjtNum* second = m->actuator_ctrlrange + 2 * b;
+  return first[0] == -first[1] && first[0] == second[0] && first[1] == second[1] &&
+         m->actuator_ctrllimited[a] == m->actuator_ctrllimited[b];
+}
 double limit_in(const AuxiliaryBearing& ring) {
   return ring.magnets ? ring.magnets->current_limit : ring.force_limit;
 }
@@ -102,8 +110,9 @@ bool has_own_numbers(const Config& config, const mjModel* m) {
 }
 
 bool rotor_is_massless(const Config& config, const mjModel* m) {
-  return std::ranges::none_of(config.rotor_bodies,
-                              [m](int body) { return m->body_mass[body] > kMassless; });
+  return std::ranges::none_of(config.rotor_bodies, [m](int body) {
+    return m->body_mass[body] > kMassless || m->body_subtreemass[body] > kMassless;
+  });
 }
 
 void check_joint_numbers(const mjModel* m, int joint, double mass, double stiffness,
@@ -186,8 +195,7 @@ void take_limit(const mjModel* m, AuxiliaryBearing& ring, const Config& config) 
   const mjtNum* second = m->actuator_ctrlrange + 2 * b;
   const double limit = limit_of(config, m, scene_limit(config));
   if (limit < std::numeric_limits<double>::infinity() &&
-      (first[0] != -first[1] || first[0] != second[0] || first[1] != second[1] ||
-       m->actuator_ctrllimited[a] != m->actuator_ctrllimited[b] || !(limit > 0.0))) {
+      (!limits_agree(m, config) || !(limit > 0.0))) {
     refuse(message("<actuator name=\"{}\">", names::kActuator[0]),
            message("ctrlrange is {} {}, and \"{}\" has {} {}; the scene's controller needs -c c "
                    "with c > 0, the same for both",
@@ -225,7 +233,9 @@ bool has_parameters(const Config& config, const mjModel* m) {
            friction_of(pair, m) == c.friction.sticking();
   }
   if (model.first().controller) {
-    same = same && limit_of(config, m, scene_limit(config)) == limit_in(model.first());
+    const double limit = limit_of(config, m, scene_limit(config));
+    same = same && limit == limit_in(model.first()) &&
+           (limit == std::numeric_limits<double>::infinity() || limits_agree(m, config));
   }
   return same;
 }

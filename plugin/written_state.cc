@@ -35,7 +35,7 @@ void for_each_rigid(const Config& config, mjData* d, Action action) {
 
 void forget_written_contacts(const Config& config, const mjModel* m, mjData* d,
                              PassMotion& motion) {
-  if (Differentiating::in_this_thread()) return;  // a nudged state does not count as written
+  if (Differentiating::nudges(d)) return;  // a nudged state does not count as written
   for_each_rigid(config, d, [&](const ContactPair& pair, ContactEntries& entry) {
     // In a further pass at the same time the memory has already moved on (ContactMemory).
     mjtNum& lasted = entry.time == d->time ? entry.before : entry.now;

@@ -121,7 +121,8 @@ const NotedContact* noted_contact(const mjData* d, int userdata) {
 }
 
 void note_contact(const mjData* d, int userdata, const Eigen::Vector2d& e_r, double axial) {
-  noted_contacts().put(d, userdata, {d->time, e_r, axial});
+  const double normal = entries<ContactEntries>(d, userdata).normal_force;
+  noted_contacts().put(d, userdata, {d->time, e_r, axial, normal});
 }
 
 void watch_escape(const ContactPair& pair, mjData* d, double delta) {

@@ -18,6 +18,7 @@ struct NotedContact {
   double time = 0.0;              // s, of the pass
   Eigen::Vector2d e_r{1.0, 0.0};  // normal of the force, in the contact's axes
   double axial = 0.0;             // N, friction on the rotor along the ring's axis
+  double normal = 0.0;            // N, normal force in the contact's entries, which they belong to
 };
 
 // The results that this thread noted last for the contact whose entries begin at `userdata`; null

@@ -129,7 +129,7 @@ StepMatrix::StepMatrix(const mjModel* m, mjData* d)
     : m_(m), d_(d), room_(d), implicit_(steps_implicitly(m)), damped_step_(damped_step(m)) {
   if (implicit_) {
     find_derivative(m, d);
-  } else if (damped_step_ > 0.0) {
+  } else if (damped_step_ != 0.0) {
     factor_ = room_.numbers(mass_size(m));
     inverse_ = room_.numbers(count(m->nv));
     std::fill_n(inverse_, count(m->nv), 0.0);

@@ -60,7 +60,7 @@ Known known_of(const Config& config, const mjModel* m, const mjData* d, std::siz
   const double passed = d->time - entry.time;
   // A nudged state (differences.h) keeps the memory of the original one.
   const auto known = [&](const double* slot) {
-    return Differentiating::in_this_thread() || remembers(config, slot, state);
+    return Differentiating::nudges(d) || remembers(config, slot, state);
   };
   if (begun && passed == 0.0 && known(before)) return Known::kPass;
   if (begun && is_next_step(passed, h, d->time) && known(before + size)) return Known::kStepBefore;

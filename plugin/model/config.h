@@ -73,7 +73,8 @@ struct ContactPair {
   // True if the contact has friction and one body moves along the other's axis
   // (contact/relative_motion.h).
   bool axial = false;
-  std::array<mjtNum, 8> read{};  // sizes of the two geoms, m, and friction[0..1] of the pair
+  // Sizes of the two geoms, m, friction[0..1] of the pair and friction[0] of the geoms.
+  std::array<mjtNum, 10> read{};
 };
 
 // The native model that runs alongside (shadow.h). -1: there is no such sensor or ghost body.

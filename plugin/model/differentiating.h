@@ -1,19 +1,24 @@
-// Marks a thread that takes steps in order to linearise them (plugin/differences.h).
+// Marks the mjData whose states are nudged in order to linearise a model (plugin/differences.h).
 #pragma once
+
+#include <mujoco/mujoco.h>
 
 namespace rotorub::plugin {
 
-class Differentiating {  // in_this_thread() is true while one lives in the thread
+// While it lives, the steps of these two mjData are differences. A step that fails may leave by
+// longjmp, which skips the destructor. Nobody deletes the two mjData then, so the mark can never
+// stand for another one.
+class Differentiating {
  public:
-  Differentiating() { running_ = true; }
-  ~Differentiating() { running_ = false; }
+  Differentiating(const mjData* low, const mjData* high) { low_ = low, high_ = high; }
+  ~Differentiating() { low_ = high_ = nullptr; }
   Differentiating(const Differentiating&) = delete;
   Differentiating& operator=(const Differentiating&) = delete;
 
-  static bool in_this_thread() { return running_; }
+  static bool nudges(const mjData* d) { return d == low_ || d == high_; }
 
  private:
-  static inline thread_local constinit bool running_ = false;
+  static inline thread_local constinit const mjData *low_ = nullptr, *high_ = nullptr;
 };
 
 }  // namespace rotorub::plugin

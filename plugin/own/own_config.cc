@@ -217,11 +217,13 @@ void check_corrected(const mjModel* m, const Config& config) {
 
 }  // namespace
 
-std::array<mjtNum, 8> own_numbers(const mjModel* m, const ContactPair& pair) {
-  std::array<mjtNum, 8> numbers{};
+std::array<mjtNum, 10> own_numbers(const mjModel* m, const ContactPair& pair) {
+  std::array<mjtNum, 10> numbers{};
   std::copy_n(m->geom_size + 3 * pair.rotor_geom, 3, numbers.begin());
   std::copy_n(m->geom_size + 3 * pair.ring_geom, 3, numbers.begin() + 3);
   if (pair.pair >= 0) std::copy_n(m->pair_friction + 5 * pair.pair, 2, numbers.begin() + 6);
+  numbers[8] = m->geom_friction[3 * pair.rotor_geom];
+  numbers[9] = m->geom_friction[3 * pair.ring_geom];
   return numbers;
 }
 

@@ -37,7 +37,7 @@ void map_own_contacts(const mjModel* m, Config& config);
 
 // The present values for ContactPair::read. If they change, so do the numbers that a contact takes
 // from them or was checked against.
-std::array<mjtNum, 8> own_numbers(const mjModel* m, const ContactPair& pair);
+std::array<mjtNum, 10> own_numbers(const mjModel* m, const ContactPair& pair);
 // True if the rotors and rings of m move along their axes as in the config. m must have the
 // config's fingerprint.
 bool same_motion(const Config& config, const mjModel* m);

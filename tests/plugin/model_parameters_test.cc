@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "mjcf/names.h"
 #include "mjcf/writer.h"
 #include "plugin/model/user_data.h"
 #include "tests/support/mujoco_document.h"
@@ -214,6 +215,35 @@ TEST_F(ModelParameters, WhatNoLongerCarriesTheModesIsRefusedAtLoad) {
          "<body><geom type=\"sphere\" size=\"0.01\" mass=\"0.3\"/></body>"
          "<geom name=\"rotor_mark\"",
          "[[rotor.disc]]");
+}
+
+// Of two models with the same names, sizes and numbers, one is wrong.
+TEST_F(ModelParameters, AKnownModelDoesNotHideWhatIsRefused) {
+  const std::string sliding = mjcf(shipped("paper_sliding"));
+  const struct {
+    std::string document, from, to, named;
+  } edits[] = {
+      {own_model_example(), "user=\"200\"", "user=\"0\"", "user[0]"},
+      {sliding, "name=\"actuator_2\" tendon=\"axis_2\" ctrllimited=\"true\"",
+       "name=\"actuator_2\" tendon=\"axis_2\" ctrllimited=\"false\"", "ctrlrange"},
+      {sliding, "timestep=\"1e-05\"", "timestep=\"-1e-5\"", "must be > 0"},
+  };
+  for (const auto& edit : edits) {
+    const ModelPointer intact = load(edit.document);
+    const DataPointer d = start(intact.get());
+    mj_forward(intact.get(), d.get());
+    expect_refused(replaced(edit.document, edit.from, edit.to), edit.named);
+  }
+}
+
+TEST_F(ModelParameters, TheSecondActuatorsLimitsAreRefusedDuringARunToo) {
+  const ModelPointer m = load(mjcf(shipped("paper_sliding")));
+  const DataPointer d = start(m.get());
+  mj_step(m.get(), d.get());
+  const int second = mj_name2id(m.get(), mjOBJ_ACTUATOR, mjcf_names::kActuator[1]);
+  m->actuator_ctrlrange[2 * second] = -5.0;
+  m->actuator_ctrlrange[2 * second + 1] = 5.0;
+  EXPECT_TRUE(contains(message_of([&] { mj_step(m.get(), d.get()); }), "actuator_2"));
 }
 
 // A mass on the ring is added to the ring, in both planes.

@@ -282,15 +282,17 @@ TEST_F(SeveralOnTheChain, EachKeepsItsNotedResults) {
 
 // A contact that is noted again stays when a thread notes more contacts than it can keep.
 TEST_F(SeveralOnTheChain, TheContactNotedLeastRecentlyIsForgotten) {
-  std::vector<mjData> data(100);
+  const ModelPointer m = load(mjcf(in_rings("\"10 mm\"", "\"10 um\"")));
+  std::vector<DataPointer> data;
+  for (int i = 0; i < 50; ++i) data.push_back(start(m.get()));
   for (std::size_t i = 1; i < data.size(); ++i) {
-    plugin::note_contact(&data[0], 0, {1.0, 0.0}, 10.0);
-    plugin::note_contact(&data[i], 0, {1.0, 0.0}, 20.0);
-    const plugin::NotedContact* again = plugin::noted_contact(&data[0], 0);
+    plugin::note_contact(data[0].get(), 0, {1.0, 0.0}, 10.0);
+    plugin::note_contact(data[i].get(), 0, {1.0, 0.0}, 20.0);
+    const plugin::NotedContact* again = plugin::noted_contact(data[0].get(), 0);
     ASSERT_NE(again, nullptr) << i;
     EXPECT_EQ(again->axial, 10.0) << i;
   }
-  EXPECT_EQ(plugin::noted_contact(&data[1], 0), nullptr);
+  EXPECT_EQ(plugin::noted_contact(data[1].get(), 0), nullptr);
 }
 
 // The place of every ring is that of the scene.
