@@ -264,7 +264,12 @@ int modes(const ModesArguments& options) {
   RotorAnalysis analysis = analyse_rotor(scene, speeds);
   if (!options.json && !options.rub_map)
     analysis.margin = speed_margin(scene, analysis.critical_speeds);
-  if (options.periodic) analysis.periodic_rubs = lasting_rubs_by_shooting(scene);
+  if (options.periodic) {
+    ShootingOptions shooting;
+    shooting.interrupt = &interrupted();
+    analysis.periodic_rubs = lasting_rubs_by_shooting(scene, shooting);
+    if (interrupted()) throw Interrupted();
+  }
   const std::string name = scene::printable(scene.name);
   result::Section found = modes_result(name, analysis);
   if (!options.rub_map) {

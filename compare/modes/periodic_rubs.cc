@@ -11,6 +11,7 @@
 #include "native_model/periodic/forcing.h"
 #include "native_model/prepare/periodic_start.h"
 #include "native_model/prepare/prepare.h"
+#include "native_model/prepare/repeating_model.h"
 #include "native_model/rotor/refusal.h"
 
 namespace rotorub {
@@ -91,8 +92,11 @@ std::string sampling_of(const scene::Scene& scene, const Model& given, const Mod
   }
   std::string text;
   if (!changes.empty()) {
-    text = "The sample time of the control is " + changes +
-           ", so that it divides the period of the loads.";
+    const bool several = changes.find(',') != std::string::npos;
+    text = several ? "The sample times of the controls are " + changes +
+                         ", so that they divide the period of the loads."
+                   : "The sample time of the control is " + changes +
+                         ", so that it divides the period of the loads.";
   }
   if (std::ranges::any_of(scene.auxiliary, has_sensor_errors)) {
     text += text.empty() ? "" : " ";
@@ -105,7 +109,7 @@ std::string sampling_of(const scene::Scene& scene, const Model& given, const Mod
 
 PeriodicRubs lasting_rubs_by_shooting(const scene::Scene& scene, const ShootingOptions& options) {
   return with_place(scene, [&] {
-    const Model given = prepare(scene), m = periodic::with_repeating_controls(given);
+    const Model given = prepare(scene), m = repeating_model(scene, prepare);
     PeriodicRubs all;
     const bool several = scene.auxiliary.size() > 1;
     for (std::size_t k = 0; k < scene.auxiliary.size(); ++k)
@@ -114,6 +118,7 @@ PeriodicRubs lasting_rubs_by_shooting(const scene::Scene& scene, const ShootingO
     parameters.duration = scene.run.end;
     parameters.most_checks = options.most_checks;
     parameters.most_periods = options.most_periods;
+    parameters.interrupt = options.interrupt;
     all.refused = periodic::forcing_of(m).refusal;
     if (!all.refused.empty()) return all;
     all.sampling = sampling_of(scene, given, m);
@@ -124,6 +129,7 @@ PeriodicRubs lasting_rubs_by_shooting(const scene::Scene& scene, const ShootingO
     }
     if (!periodic::sample_times(m).empty()) parameters.most_stretches *= kMoreForSamples;
     for (const rub::NamedStart& start : starts) {
+      if (parameters.is_interrupted()) break;
       periodic::SettledMotion settled = periodic::settled_motion(m, start.state, parameters);
       if (!settled.found()) {
         all.without.push_back({start.name, settled.refusal + ending_of(m, settled)});

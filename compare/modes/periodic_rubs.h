@@ -3,6 +3,7 @@
 // are found by Newton's method on the return map (native_model/periodic), at the scene's speed.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ namespace rotorub {
 struct ShootingOptions {
   int most_checks = 7, most_periods = 6;  // of each start (periodic/settled_motion.h)
   std::int64_t most_stretches = 500'000;  // of all starts together, in equal shares
+  const std::atomic<bool>* interrupt = nullptr;
 };
 
 using periodic::PeriodicRub, periodic::periodic_rub;

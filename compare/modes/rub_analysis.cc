@@ -66,7 +66,12 @@ double sag(const Model& m) {
 // them.
 std::string leave_out(scene::Scene& scene) {
   constexpr double kHeld = 1e3;  // clearances
-  if (!scene.gravity || scene.gravity->acceleration.isZero(0.0)) return "";
+  const bool is_sampled = std::ranges::any_of(scene.auxiliary, [](const auto& at) {
+    return at.controller && at.controller->sample_time > 0.0;
+  });
+  const std::string sampling =
+      is_sampled ? "the sampling and the delay of the controller, which --periodic includes" : "";
+  if (!scene.gravity || scene.gravity->acceleration.isZero(0.0)) return sampling;
   const Model m = prepare(without_start(scene));
   if (m.weight.size() > 0 && !(sag(m) < kHeld * m.first().contact->clearance)) {
     scene::refuse_at(scene, "gravity",
@@ -74,7 +79,8 @@ std::string leave_out(scene::Scene& scene) {
                      "weight; add bearings that hold it, or remove [gravity] (a vertical rotor)");
   }
   scene.gravity.reset();
-  return "the weight, which has a fixed direction; with it a rub oscillates about these values";
+  return "the weight, which has a fixed direction; with it a rub oscillates about these values" +
+         (is_sampled ? "; " + sampling : "");
 }
 
 RubAnalyses rubs_of_contact(scene::Scene scene, const std::vector<double>& speeds) {

@@ -13,6 +13,7 @@
 #include "native_model/periodic/guesses.h"
 #include "native_model/periodic/period_doubling.h"
 #include "native_model/prepare/prepare.h"
+#include "native_model/prepare/repeating_model.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/scene/diagnostic.h"
 
@@ -45,7 +46,7 @@ class Machines {
     return own;
   }
   Model model(double value, double up) const {
-    return periodic::with_repeating_controls(prepare(unstarted(value, up)));
+    return repeating_model(unstarted(value, up), prepare);
   }
 
  private:
@@ -85,6 +86,7 @@ class Diagram {
  public:
   Diagram(const Machines& machines, const MapAxis& across, double up, const BranchOptions& options)
       : machines_(&machines),
+        key_(across.key),
         low_(across.values.front()),
         high_(across.values.back()),
         up_(up),
@@ -202,6 +204,11 @@ class Diagram {
   }
 
   Branch continued(double value, const PeriodicRub& rub, double direction) const {
+    if (key_.ends_with("sample_time") || key_.ends_with(".delay")) {
+      Branch none;
+      none.end = "a control acts in whole samples, so its motions do not change smoothly";
+      return none;
+    }
     try {
       return periodic::continue_branch([this](double at) { return machines_->model(at, up_); },
                                        value, rub.settled.motion,
@@ -245,6 +252,7 @@ class Diagram {
   }
 
   const Machines* machines_;
+  std::string key_;
   double low_, high_, up_;
   const BranchOptions* options_;
   std::vector<RubBranch> branches_;
@@ -307,11 +315,13 @@ RubBranches rub_branches(const SceneAt& scene_at, const MapAxis& across,
       if (options.progress) options.progress(from + kOfSearch * share);
     };
   };
+  ShootingOptions shooting = options.shooting;
+  shooting.interrupt = options.interrupt;
   std::vector<Found> found(columns * ups.size());
   in_parallel(found.size(), 0, options.interrupt, part(0.0), [&](std::size_t k) {
-    found[k] = found_at(machines, across.values[k % columns], ups[k / columns], options.shooting);
+    found[k] = found_at(machines, across.values[k % columns], ups[k / columns], shooting);
   });
-  RubBranches all{across, up, {}, {}, {}};
+  RubBranches all{across, up, {}, {}, {}, {}};
   std::vector<Diagram> diagrams;
   for (const double value : ups) diagrams.emplace_back(machines, across, value, options);
   for (std::size_t k = 0; k < found.size(); ++k) {
@@ -324,6 +334,11 @@ RubBranches rub_branches(const SceneAt& scene_at, const MapAxis& across,
     for (const UnsettledStart& start : rubs.without)
       all.without.push_back({value, of, start.start, start.why});
     if (all.contacts.empty()) all.contacts = rubs.contacts;
+    if (!rubs.sampling.empty()) {
+      all.sampling =
+          "Sampled controls have the nearest sample times that divide the period of the loads, "
+          "and sensors without noise and resolution.";
+    }
   }
   if (std::ranges::all_of(found, [](const Found& at) { return at.error.has_value(); }))
     throw *found.front().error;

@@ -56,6 +56,7 @@ struct RubBranches {
   std::vector<std::string> contacts;
   std::vector<RubBranch> branches;  // by rising `up`
   std::vector<UnsettledValue> without;
+  std::string sampling;  // a sentence if a sampled control is changed anywhere, or empty
 };
 
 struct BranchOptions {

@@ -164,11 +164,14 @@ result::Section rub_branches_result(const std::string& name, const RubBranches& 
     section.add({result::Sentence{.text = fmt::format("{}, from {}: {}", where, at.start, at.why),
                                   .lead = "  "}});
   }
-  section.add({result::Data{"rub_branches",
-                            {{"across", axis_json(all.across)},
-                             {"up", all.up ? axis_json(*all.up) : json(nullptr)},
-                             {"branches", branches_json(all)},
-                             {"without", without}}}});
+  if (!all.sampling.empty()) section.add({result::Sentence{.text = all.sampling, .lead = "  "}});
+  section.add(
+      {result::Data{"rub_branches",
+                    {{"across", axis_json(all.across)},
+                     {"up", all.up ? axis_json(*all.up) : json(nullptr)},
+                     {"branches", branches_json(all)},
+                     {"without", without},
+                     {"sampling", all.sampling.empty() ? json(nullptr) : json(all.sampling)}}}});
   return section;
 }
 

@@ -107,7 +107,8 @@ void EssentialState::widen_control_states(const Model& m, double t, const std::v
     const std::vector<int> states = returning_control_states(m, k);
     if (states.empty()) continue;
     const Eigen::MatrixXd slopes = slopes_of_sample(m, k, t, y, states, essential.entries(), sizes);
-    // The response of each state to the others; those that it has no response to come later.
+    // How far each state of the memory moves: by the machine's states at first, then by states of
+    // the memory whose own movement is known.
     Eigen::VectorXd response = Eigen::VectorXd::Zero(sizes.size());
     for (const int j : essential.entries()) {
       if (j < first_memory) response[j] = sizes[j];

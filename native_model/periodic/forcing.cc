@@ -117,7 +117,8 @@ std::string refusal_of(const Model& m, const std::vector<double>& of_loads) {
     return std::abs(count - std::round(count)) > kSameFrequency * count;
   };
   if (std::ranges::any_of(samples, is_split)) {
-    return "a sample time of a control does not divide the period of the loads";
+    return "a sample time of a control does not divide the period of the loads, and would have to "
+           "change by more than 10 %";
   }
   return "";
 }
@@ -131,6 +132,17 @@ std::vector<double> sample_times(const Model& m) {
     if (at.loop) all.push_back(at.sample_time);
   }
   return all;
+}
+
+double period_of_loads(const Model& m) {
+  const std::vector<double> of_loads = frequencies(m);
+  return of_loads.empty() ? 0.0 : common_period(of_loads).value_or(0.0);
+}
+
+double whole_sample_time(double sample_time, double period) {
+  constexpr double kMostChange = 0.1;
+  const double whole = period / std::max(1.0, std::round(period / sample_time));
+  return std::abs(whole - sample_time) <= kMostChange * sample_time ? whole : sample_time;
 }
 
 double between_samples(const Model& m, double t) {
@@ -155,15 +167,11 @@ double between_samples(const Model& m, double t) {
 
 Model with_repeating_controls(Model m) {
   m = with_control_states(std::move(m));
-  const std::vector<double> of_loads = frequencies(m);
-  const std::optional<double> period = of_loads.empty() ? std::nullopt : common_period(of_loads);
-  if (!period) return m;
-  const auto fit = [&](double& sample_time) {
-    sample_time = *period / std::max(1.0, std::round(*period / sample_time));
-  };
-  for (SampledFeedback& s : m.samplers) fit(s.sample_time);
+  const double period = period_of_loads(m);
+  if (period == 0.0) return m;
+  for (SampledFeedback& s : m.samplers) s.sample_time = whole_sample_time(s.sample_time, period);
   for (AuxiliaryBearing& at : m.auxiliary) {
-    if (at.loop) fit(at.sample_time);
+    if (at.loop) at.sample_time = whole_sample_time(at.sample_time, period);
   }
   return m;
 }

@@ -29,6 +29,12 @@ Forcing forcing_of(const Model& model);
 // s, of all sampled controls, those of magnetic bearings before those of rings.
 std::vector<double> sample_times(const Model& model);
 
+// s, > 0, the period in which all loads that act for ever repeat; 0 if there is none.
+double period_of_loads(const Model& model);
+// s, > 0: the sample time nearest to this one that divides a period (s). This one itself if it
+// would change by more than a tenth.
+double whole_sample_time(double sample_time, double period);
+
 // s, >= t: the middle of the longest time without samples soon after t (s); t if nothing is
 // sampled. Runs and periods begin and end there, so that round-off does not decide on which side a
 // sample is.

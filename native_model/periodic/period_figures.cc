@@ -72,7 +72,7 @@ PeriodFigures period_figures(const Model& model, const PeriodicMotion& motion,
   follower.meet(run.here());
   while (run.compute_stretch()) {
     const double begin = run.now(), length = run.stretch_end() - begin;
-    for (int i = 1; i <= kSamples; ++i) follower.meet(run.within(begin + i * length / kSamples));
+    for (int i = 0; i <= kSamples; ++i) follower.meet(run.within(begin + i * length / kSamples));
     follower.last(run.system(), length);
     const auto contact = run.event_contact();
     if (!contact || run.system().has_margins(*contact)) {

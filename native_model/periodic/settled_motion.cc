@@ -23,7 +23,11 @@ constexpr double kReturnError = 1e-7;  // largest error of a run over kPeriodsRu
 constexpr int kPeriodsRun = 3;
 // A derivative takes about as long as this number of stretches for each stretch and direction.
 constexpr int kStretchesOfDirection = 4;
-constexpr int kLeastDerivatives = 3;  // Newton's method begins if at least these are affordable
+// Newton's method begins if at least these are affordable, for a run that repeats within kRepeats
+// also beyond the limit of the effort.
+constexpr std::int64_t kLeastDerivatives = 3;
+constexpr double kRepeats = 1e-6;
+constexpr int kBeyondLimit = 4;
 
 // One instant of a run at which it is checked.
 class Check {
@@ -40,6 +44,7 @@ class Check {
     std::vector<Candidate> candidates;
     double closest = kInfinity;
     for (int n = 1; n <= most && closest > kCertain && stretches_ < most_stretches(); ++n) {
+      if (parameters_->is_interrupted()) return false;
       const FoundGuess begun =
           guess_from_state(map_->model(), state, longest, n, parameters_->search.event);
       if (begun.status != Status::kOk) {
@@ -92,7 +97,9 @@ class Check {
     const std::int64_t of_derivative =
         kStretchesOfDirection * static_cast<std::int64_t>(c.stretches) * map_->essential().size();
     SearchParameters search = parameters_->search;
-    const std::int64_t left = (most_stretches() - stretches_) / of_derivative;
+    std::int64_t left = (most_stretches() - stretches_) / of_derivative;
+    const bool is_affordable = kLeastDerivatives * of_derivative <= kBeyondLimit * most_stretches();
+    if (c.residual <= kRepeats && is_affordable) left = std::max(left, kLeastDerivatives);
     if (left < kLeastDerivatives) {
       stretches_ = most_stretches();
       return false;
@@ -220,10 +227,11 @@ SettledMotion settled_motion(const Model& m, const State& start, const SettlingP
     } else {
       run.extend_end(end);
     }
-    while (!check.is_exhausted() && run.compute_stretch()) {
+    while (!check.is_exhausted() && !p.is_interrupted() && run.compute_stretch()) {
       run.pass();
       check.count();
     }
+    if (p.is_interrupted()) return refused("interrupted");
     if (run.result().status != Status::kOk) {
       return refused("the run ends at " + in_seconds(run.now()) + ": " + run.result().message);
     }

@@ -5,6 +5,7 @@
 // motion that the run only passes on its way does not count.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -22,6 +23,8 @@ struct SettlingParameters {
   // a shaft with many modes.
   std::int64_t most_stretches = 500'000;
   SearchParameters search{};
+  const std::atomic<bool>* interrupt = nullptr;  // ends the search early when it becomes true
+  bool is_interrupted() const { return interrupt && interrupt->load(std::memory_order_relaxed); }
 };
 
 struct SettledMotion {

@@ -1,0 +1,19 @@
+// The model of a scene for a search of periodic motions: its sampled controls repeat with the
+// loads.
+#pragma once
+
+#include <functional>
+
+#include "native_model/model/model.h"
+#include "native_model/scene/forward.h"
+
+namespace rotorub {
+
+// make: the model of a scene, for example prepare(). Each sampled control gets the sample time
+// nearest to its own that divides the period of the loads (periodic::whole_sample_time); its delay
+// keeps its number of samples, and its law is made for both. Then as with_repeating_controls()
+// (periodic/forcing.h).
+Model repeating_model(const scene::Scene& scene,
+                      const std::function<Model(const scene::Scene&)>& make);
+
+}  // namespace rotorub
