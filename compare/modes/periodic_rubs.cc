@@ -109,7 +109,7 @@ std::string sampling_of(const scene::Scene& scene, const Model& given, const Mod
 
 PeriodicRubs lasting_rubs_by_shooting(const scene::Scene& scene, const ShootingOptions& options) {
   return with_place(scene, [&] {
-    const Model given = prepare(scene), m = repeating_model(scene, prepare);
+    const Model given = prepare(scene), m = repeating_model(scene, given, prepare);
     PeriodicRubs all;
     const bool several = scene.auxiliary.size() > 1;
     for (std::size_t k = 0; k < scene.auxiliary.size(); ++k)

@@ -46,7 +46,8 @@ class Machines {
     return own;
   }
   Model model(double value, double up) const {
-    return repeating_model(unstarted(value, up), prepare);
+    const scene::Scene own = unstarted(value, up);
+    return repeating_model(own, prepare(own), prepare);
   }
 
  private:

@@ -88,7 +88,7 @@ std::vector<NamedStart> starts_near_rubs(const scene::Scene& scene, const Model&
 State state_on_periodic_rub(const scene::Scene& scene, const scene::SceneError& no_form) {
   constexpr std::int64_t kMostStretches = 500'000;  // of all starts together
   constexpr int kMoreForSamples = 4;  // each ends a stretch, which is then cheaper than others
-  const Model m = repeating_model(scene, model_without_start);
+  const Model m = repeating_model(scene, model_without_start(scene), model_without_start);
   if (!m.has_contact()) throw no_form;
   const std::string refusal = periodic::forcing_of(m).refusal;
   if (!refusal.empty()) refuse_with(no_form, refusal);

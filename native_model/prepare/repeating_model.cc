@@ -1,15 +1,15 @@
 #include "native_model/prepare/repeating_model.h"
 
 #include <cmath>
+#include <utility>
 
 #include "native_model/periodic/forcing.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub {
 
-Model repeating_model(const scene::Scene& scene,
+Model repeating_model(const scene::Scene& scene, Model given,
                       const std::function<Model(const scene::Scene&)>& make) {
-  Model given = make(scene);
   const double period = periodic::period_of_loads(given);
   if (period == 0.0 || periodic::sample_times(given).empty()) {
     return periodic::with_repeating_controls(std::move(given));

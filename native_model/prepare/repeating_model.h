@@ -9,11 +9,11 @@
 
 namespace rotorub {
 
-// make: the model of a scene, for example prepare(). Each sampled control gets the sample time
-// nearest to its own that divides the period of the loads (periodic::whole_sample_time); its delay
-// keeps its number of samples, and its law is made for both. Then as with_repeating_controls()
-// (periodic/forcing.h).
-Model repeating_model(const scene::Scene& scene,
+// given: the model of the scene, and make: makes the model of another one in the same way. Each
+// sampled control gets the sample time nearest to its own that divides the period of the loads
+// (periodic::whole_sample_time); its delay keeps its number of samples, and its law is made for
+// both. Then as with_repeating_controls() (periodic/forcing.h).
+Model repeating_model(const scene::Scene& scene, Model given,
                       const std::function<Model(const scene::Scene&)>& make);
 
 }  // namespace rotorub
