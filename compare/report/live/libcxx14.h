@@ -80,6 +80,11 @@ ROTORUB_RANGE_ALGORITHM(find_if)
 ROTORUB_RANGE_ALGORITHM(for_each)
 #undef ROTORUB_RANGE_ALGORITHM
 
+template <class Range, class Value>
+auto find(Range&& range, const Value& value) {
+  return std::find(std::begin(range), std::end(range), value);
+}
+
 template <class Range, class To>
 void copy(Range&& range, To to) {
   std::copy(std::begin(range), std::end(range), to);

@@ -1,7 +1,9 @@
-// A page runs no law of a user: neither shared libraries nor Python exist there.
+// A page runs no law of a user, because neither shared libraries nor Python exist there, and
+// searches no periodic rubs.
 #include <stdexcept>
 
 #include "native_model/control/law.h"
+#include "native_model/prepare/periodic_start.h"
 
 namespace rotorub {
 
@@ -12,5 +14,13 @@ std::unique_ptr<Law<Kind>> open_law(const std::filesystem::path& file) {
 
 template std::unique_ptr<Law<RingLaw>> open_law(const std::filesystem::path&);
 template std::unique_ptr<Law<MagneticLaw>> open_law(const std::filesystem::path&);
+
+namespace rub {
+
+State state_on_periodic_rub(const scene::Scene&, const scene::SceneError& no_form) {
+  throw no_form;
+}
+
+}  // namespace rub
 
 }  // namespace rotorub
