@@ -173,7 +173,7 @@ bool is_still_foreign(Known& known, const mjModel* m, const mjData* d, bool chec
 // contains nothing with a destructor.
 thread_local char raised_text[1000];
 
-// What a fingerprint and the numbers of a config do not contain. Throws ConfigError.
+// Checks what the fingerprint and the numbers of a config do not contain. Throws ConfigError.
 void check_known(const mjModel* m, const Config& config) {
   check_structure(m, config);
   if (m->opt.timestep > 0.0) return;

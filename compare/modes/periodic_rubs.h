@@ -32,7 +32,7 @@ struct PeriodicRubs {
   std::vector<UnsettledStart> without;
   // The reason why the machine has no periodic motion from any start, or empty.
   std::string refused;
-  // A sentence about sample times that differ from the scene's (with_repeating_controls), or empty.
+  // A sentence about sample times that differ from the scene's (repeating_model), or empty.
   std::string sampling;
 };
 

@@ -294,7 +294,7 @@ Model without_offsets(Model model);
 // The model whose sampled controllers of rings keep their commands and memories among the states,
 // so that a state determines its motion (control_states.h). Their sensors are exact then, without
 // noise, which a state does not know, and without a resolution, because rounded numbers have no
-// derivative. A controller whose memory does not fit into kMaxCoordinates stays as it is.
+// derivative. A memory that does not fit into kMaxCoordinates is not moved.
 Model with_control_states(Model model);
 // The model without controllers.
 Model without_controller(Model model);

@@ -165,17 +165,6 @@ double between_samples(const Model& m, double t) {
   return best;
 }
 
-Model with_repeating_controls(Model m) {
-  m = with_control_states(std::move(m));
-  const double period = period_of_loads(m);
-  if (period == 0.0) return m;
-  for (SampledFeedback& s : m.samplers) s.sample_time = whole_sample_time(s.sample_time, period);
-  for (AuxiliaryBearing& at : m.auxiliary) {
-    if (at.loop) at.sample_time = whole_sample_time(at.sample_time, period);
-  }
-  return m;
-}
-
 Forcing forcing_of(const Model& m) {
   const std::vector<double> of_loads = frequencies(m);
   Forcing forcing;

@@ -4,8 +4,8 @@
 // explicit time dependence is autonomous: the period of its motions is unknown. If its spin is free
 // and something is fixed to the rotor, the spin angle grows by whole turns in a period.
 //
-// Sampled controls repeat with their sample time, which must divide the period of the loads.
-// with_repeating_controls() sees to this.
+// Sampled controls repeat with their sample time, which must divide the period of the loads;
+// prepare/repeating_model.h sees to this.
 #pragma once
 
 #include <string>
@@ -39,11 +39,5 @@ double whole_sample_time(double sample_time, double period);
 // sampled. Runs and periods begin and end there, so that round-off does not decide on which side a
 // sample is.
 double between_samples(const Model& model, double t);
-
-// The model for a search of periodic motions. Each sampled control has the sample time nearest to
-// its own that divides the period of the loads, as if the clock of its processor ran a little
-// faster or slower; without loads it keeps its own. The memories of the rings' controllers are
-// states, with exact sensors (with_control_states).
-Model with_repeating_controls(Model model);
 
 }  // namespace rotorub::periodic

@@ -87,8 +87,8 @@ ReturnDerivative ReturnMap::derivative(const Return& point, const HeldContacts& 
   return d;
 }
 
-// Entries in the memory of a controller that no sample changes are settings, not states. Such an
-// entry keeps its value, so its row of P' is that of the identity, and P' - 1 would be singular.
+// Entries in the memory of a controller that no sample changes are settings, not states. The row of
+// P' is that of the identity for them, which makes P' - 1 singular; 0 means that they stay.
 void ReturnMap::zero_rows_of_settings(ReturnDerivative& d) const {
   constexpr double kSame = 1e-9;
   for (Eigen::Index i = 0; i < d.image.rows(); ++i) {

@@ -12,7 +12,7 @@ Model repeating_model(const scene::Scene& scene, Model given,
                       const std::function<Model(const scene::Scene&)>& make) {
   const double period = periodic::period_of_loads(given);
   if (period == 0.0 || periodic::sample_times(given).empty()) {
-    return periodic::with_repeating_controls(std::move(given));
+    return with_control_states(std::move(given));
   }
   const auto fit = [period](double& sample_time, double& delay) {
     if (!(sample_time > 0.0)) return;
@@ -30,7 +30,7 @@ Model repeating_model(const scene::Scene& scene, Model given,
   if (whole.magnetic_control) {
     fit(whole.magnetic_control->sample_time, whole.magnetic_control->delay);
   }
-  return periodic::with_repeating_controls(make(whole));
+  return with_control_states(make(whole));
 }
 
 }  // namespace rotorub

@@ -9,10 +9,11 @@
 
 namespace rotorub {
 
-// given: the model of the scene, and make: makes the model of another one in the same way. Each
+// given: the model of the scene. make: makes the model of another scene in the same way. Each
 // sampled control gets the sample time nearest to its own that divides the period of the loads
-// (periodic::whole_sample_time); its delay keeps its number of samples, and its law is made for
-// both. Then as with_repeating_controls() (periodic/forcing.h).
+// (periodic::whole_sample_time), as if the clock of its processor ran a little faster or slower.
+// Its delay keeps its number of samples, and its law is made for both. The memories of the rings'
+// controllers are states, with exact sensors (with_control_states).
 Model repeating_model(const scene::Scene& scene, Model given,
                       const std::function<Model(const scene::Scene&)>& make);
 

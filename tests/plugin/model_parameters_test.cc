@@ -217,7 +217,7 @@ TEST_F(ModelParameters, WhatNoLongerCarriesTheModesIsRefusedAtLoad) {
          "[[rotor.disc]]");
 }
 
-// Of two models with the same names, sizes and numbers, one is wrong.
+// The edited model has the names and sizes of an intact one that is already known.
 TEST_F(ModelParameters, AKnownModelDoesNotHideWhatIsRefused) {
   const std::string sliding = mjcf(shipped("paper_sliding"));
   const struct {

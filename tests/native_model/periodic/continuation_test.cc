@@ -15,6 +15,7 @@
 #include "native_model/periodic/period_figures.h"
 #include "native_model/periodic/settled_motion.h"
 #include "native_model/prepare/prepare.h"
+#include "native_model/prepare/repeating_model.h"
 #include "tests/native_model/periodic/bounce_once_a_turn.h"
 #include "tests/native_model/periodic/first_guesses.h"
 #include "tests/native_model/periodic/sampled_ring.h"
@@ -282,7 +283,7 @@ TEST(Continuation, OfASampledControllerOverTheSpeed) {
   const auto model_at = [&](double speed) {
     scene::Scene scene = test::sampled_ring(law);
     scene.rotor.speed = speed;
-    return with_repeating_controls(make_model(scene));
+    return repeating_model(scene, prepare(scene), prepare);
   };
   const auto settled_at = [&](double speed) {
     const Model model = model_at(speed);

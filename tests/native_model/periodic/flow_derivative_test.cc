@@ -8,6 +8,7 @@
 #include "native_model/periodic/forcing.h"
 #include "native_model/periodic/return_map.h"
 #include "native_model/prepare/prepare.h"
+#include "native_model/prepare/repeating_model.h"
 #include "tests/native_model/periodic/levitated_rotor.h"
 #include "tests/native_model/periodic/sampled_ring.h"
 #include "tests/support/jeffcott.h"
@@ -58,7 +59,7 @@ std::string expect_derivative(const Model& model, const State& start, double dur
                                       (end_at(2.0 * kShare) - end_at(-2.0 * kShare))) /
                                      (12.0 * kShare);
     for (Eigen::Index i = 0; i < expected.size(); ++i) {
-      // ReturnMap leaves out the settings of a law, which stay as they are.
+      // ReturnMap sets the rows of a law's settings to 0.
       const bool stays = d.image.row(i).isZero(0.0) && d.basis(i, j) == expected[i];
       if (!stays) error = std::max(error, std::abs(d.image(i, j) - expected[i]));
     }
@@ -141,7 +142,7 @@ TEST(FlowDerivative, OfSampledMagneticBearings) {
   for (const char* delay : {"0", "100 us"}) {
     SCOPED_TRACE(delay);
     scene::Scene scene = test::levitated_rotor(delay);
-    const Model model = with_repeating_controls(prepare(scene));
+    const Model model = repeating_model(scene, prepare(scene), prepare);
     const MotionRecord before = record_motion(model, initial_state(model), 0.020325);
     State start{before.end_time, {}, {}};
     start.q = Eigen::Map<const Eigen::VectorXd>(before.end.data(), model.nq());
@@ -156,7 +157,7 @@ TEST(FlowDerivative, OfSampledControllersOfARing) {
     SCOPED_TRACE(testing::PrintToString(law));
     scene::Scene scene = test::sampled_ring(law);
     scene.first().contact->restitution = 0.0;
-    const Model model = with_repeating_controls(prepare(scene));
+    const Model model = repeating_model(scene, prepare(scene), prepare);
     const MotionRecord before = record_motion(model, initial_state(model), 0.0021);
     State start{before.end_time, {}, {}};
     start.q = Eigen::Map<const Eigen::VectorXd>(before.end.data(), model.nq());

@@ -15,6 +15,7 @@
 #include "native_model/periodic/period_figures.h"
 #include "native_model/periodic/periodic_motion.h"
 #include "native_model/prepare/prepare.h"
+#include "native_model/prepare/repeating_model.h"
 #include "tests/native_model/periodic/bounce_once_a_turn.h"
 #include "tests/native_model/periodic/first_guesses.h"
 #include "tests/native_model/periodic/sampled_ring.h"
@@ -171,7 +172,7 @@ TEST(PeriodicMotion, ARunOfTheBenchRingSettlesToItsRub) {
 // Without contact x_{k+1} = (A - B K) x_k plus the load; the held command follows from x_k.
 TEST(PeriodicMotion, ASampledLqrHasTheMultipliersOfItsClosedLoop) {
   const scene::Scene scene = test::sampled_ring({"controller.kind=\"lqr\""}, 2.0);
-  const Model given = prepare(scene), model = with_repeating_controls(given);
+  const Model given = prepare(scene), model = repeating_model(scene, given, prepare);
   const QuadraticDesign d = quadratic_design(scene, 0, plant_of(given, 0, scene.rotor.speed));
   const Eigen::MatrixXd of_sample = d.plant.a - d.plant.b * d.gain;
   Eigen::MatrixXd of_turn = Eigen::MatrixXd::Identity(8, 8);

@@ -11,6 +11,7 @@
 #include "native_model/periodic/forcing.h"
 #include "native_model/periodic/return_map.h"
 #include "native_model/prepare/prepare.h"
+#include "native_model/prepare/repeating_model.h"
 #include "tests/native_model/periodic/bounce_once_a_turn.h"
 #include "tests/native_model/periodic/levitated_rotor.h"
 #include "tests/native_model/periodic/sampled_ring.h"
@@ -118,7 +119,7 @@ TEST(SettledMotion, AFreeOrbitIsSeenAtRest) {
 TEST(SettledMotion, OfSampledMagneticBearings) {
   scene::Scene scene = test::levitated_rotor();
   scene.rotor.speed = 2.0 * std::numbers::pi * 70.0;
-  const Model given = prepare(scene), model = with_repeating_controls(given);
+  const Model given = prepare(scene), model = repeating_model(scene, given, prepare);
   EXPECT_NE(forcing_of(given).refusal, "");
   const double period = 1.0 / 70.0;
   EXPECT_NEAR(model.samplers[0].sample_time, period / 286.0, 1e-16);
@@ -138,7 +139,7 @@ TEST(SettledMotion, OfSampledControllersOfARing) {
   for (const std::vector<std::string>& law : laws) {
     SCOPED_TRACE(testing::PrintToString(law));
     const scene::Scene scene = test::sampled_ring(law);
-    const Model model = with_repeating_controls(prepare(scene));
+    const Model model = repeating_model(scene, prepare(scene), prepare);
     const SettledMotion found = settled_motion(model, initial_state(model), {.duration = 0.4});
     ASSERT_TRUE(found.found()) << found.refusal;
     EXPECT_TRUE(found.motion.stable);
@@ -173,7 +174,8 @@ shape = [1.0, 0.5]
         "damping = 300.0\nsample_time = \"" +
         both.substr(both.find('|') + 1) + "\"\n";
   }
-  const Model model = with_repeating_controls(prepare(scene::parse_scene(text, "two_rings")));
+  const scene::Scene scene = scene::parse_scene(text, "two_rings");
+  const Model model = repeating_model(scene, prepare(scene), prepare);
   EXPECT_EQ(sample_times(model), (std::vector<double>{2e-4, 1.25e-4}));
   const SettledMotion found = settled_motion(model, initial_state(model), {.duration = 0.4});
   ASSERT_TRUE(found.found()) << found.refusal;
